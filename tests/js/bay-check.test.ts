@@ -1,13 +1,16 @@
 /** The check of all bays: the same answers with any number of workers, and after edits. */
-import { audit, init, scenario, type AuditRow, type Scenario } from "parkade";
+import { audit, init, scenario as given, type AuditRow } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
 import { BayChecker, type BayWorker } from "../../www/src/planning/bay-checker";
 import { reportPage } from "../../www/src/panels/bay-report";
 import { bayCsv, bayLines } from "../../www/src/panels/bay-rows";
+import { ensureIds } from "../../www/src/scene/model";
+import type { Scenario } from "../../www/src/scene/scenario";
 import { buildLot, firstForm } from "../../www/src/scene/lot";
 import { changesBetween } from "../../www/src/scene/scene-changes";
 import { createStore, type Store } from "../../www/src/store";
 import { bestRow, countBays, gradeOf, type BayCheck } from "../../www/src/store/bay-check";
+const scenario = (id: string) => ensureIds(given(id));
 
 beforeAll(async () => {
   await init();

@@ -173,8 +173,13 @@ test("null in a scene from outside is as good as absent, at any depth, but for s
 test("a scene of more than a page can draw is refused before anything is made of it, also where a link of a few kilobytes holds it", async () => {
   const scene = scenes[0]!,
     many = <T>(count: number, one: T): T[] => Array.from({ length: count }, () => one);
-  const box = { type: "rectangle" as const, center: [1, 1] as [number, number], size: [1, 1] as [number, number] };
-  const wall = { type: "wall" as const, points: many(2000, [1, 1] as [number, number]), thickness: 0.1 };
+  const box = {
+    type: "rectangle" as const,
+    id: "box",
+    center: [1, 1] as [number, number],
+    size: [1, 1] as [number, number],
+  };
+  const wall = { type: "wall" as const, id: "wall", points: many(2000, [1, 1] as [number, number]), thickness: 0.1 };
   expect(() => checked({ ...scene, obstacles: many(2001, box) })).toThrow("must be at most 2000 objects, got");
   expect(() => checked({ ...scene, obstacles: many(26, wall) })).toThrow(
     "points: must be at most 50000 points, got 52000",

@@ -1,5 +1,6 @@
 import { beforeAll, describe, expect, it } from "vitest";
-import { init, planners, Planner, scenario, type HybridPlan, type Plan, type PlannerId } from "parkade";
+import { init, planners, Planner, scenario as given, type HybridPlan, type Plan, type PlannerId } from "parkade";
+import { ensureIds } from "../../www/src/scene/model";
 import { whyOf } from "../../www/src/texts/failure";
 import { thingName } from "../../www/src/texts/status";
 import { gapAt } from "../../www/src/scene/gap";
@@ -14,6 +15,7 @@ import { alongRoad, stripOf } from "../../www/src/view/layers/lane-strip";
 import { drivesCar, hasField, introduce } from "../../www/src/styles/planner-style";
 import { loadChinese } from "./chinese";
 import type { Scenario } from "../../www/src/scene/scenario";
+const scenario = (id: string) => ensureIds(given(id));
 
 beforeAll(async () => {
   await loadChinese();

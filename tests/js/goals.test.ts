@@ -13,7 +13,6 @@ import {
   type Goal,
   type GoalSet,
   type Plan,
-  type Scenario,
 } from "parkade";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import schema from "../../src/scenario/scenario.schema.json";
@@ -37,7 +36,8 @@ import {
   withEntry,
 } from "../../www/src/scene/goals";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
-import { footprint, moveGoal, poseInSlot, resolve, slotOutline, vehicleOf } from "../../www/src/scene/model";
+import { ensureIds, footprint, moveGoal, poseInSlot, resolve, slotOutline, vehicleOf } from "../../www/src/scene/model";
+import type { Scenario } from "../../www/src/scene/scenario";
 import { insidePolygon } from "../../www/src/scene/geometry";
 import { removeSlot } from "../../www/src/scene/removal";
 import { parkade } from "./pack";
@@ -231,8 +231,7 @@ describe("sets of goals on the page", () => {
   });
 
   it("are damaged links, not scenes, where their parts make no sense", () => {
-    const named = (scene: Scenario): Scenario => scene,
-      packed = pack(page(SETS[1]!));
+    const packed = pack(page(SETS[1]!));
     for (const g of [
       ["s", 0, [9]],
       ["s", 0, ["a"]],
@@ -244,7 +243,7 @@ describe("sets of goals on the page", () => {
       ["q"],
     ]) {
       expect(
-        messageOf(() => unpack({ ...packed, g }, named)),
+        messageOf(() => unpack({ ...packed, g }, ensureIds)),
         JSON.stringify(g),
       ).toMatch(/^This link is damaged/);
     }

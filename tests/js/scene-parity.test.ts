@@ -1,8 +1,8 @@
-import { init, scenario, sceneGeometry, scenarios, type Slot } from "parkade";
+import { init, scenario, sceneGeometry, scenarios } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
 import { ensureIds, resolve } from "../../www/src/scene/model";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
-import type { Scenario } from "../../www/src/scene/scenario";
+import type { Scenario, Slot } from "../../www/src/scene/scenario";
 
 beforeAll(() => init());
 

@@ -4,7 +4,7 @@ import {
   init,
   judge,
   Planner,
-  scenario,
+  scenario as given,
   scenarios,
   toCSV,
   toTrajectoryCSV,
@@ -18,11 +18,13 @@ import { smoothed } from "../../www/src/planning/trajectories";
 import { extentOf, linesOf } from "../../www/src/panels/chart-lines";
 import { rowsOf } from "../../www/src/panels/metrics";
 import { formatTable } from "../../www/src/panels/table-format";
+import { ensureIds } from "../../www/src/scene/model";
 import { limitsOn } from "../../www/src/scene/speed-limits";
 import { emptyResult, initialState, type PanelResult, type Scene, type State } from "../../www/src/store";
 import { played } from "../../www/src/store/results";
 import { gearsOfTimeline } from "../../www/src/view/gears";
 import { clockOf, durationOf, drivenAt, isEncounter } from "../../www/src/view/playback-time";
+const scenario = (id: string) => ensureIds(given(id));
 
 beforeAll(() => init());
 

@@ -1,11 +1,15 @@
 /** Plans on paper and as DXF: true to scale, and read again as they were written. */
-import { init, Planner, scenario, type Plan, type Scenario } from "parkade";
+import { init, Planner, scenario as given, type Plan } from "parkade";
 import { beforeAll, expect, it } from "vitest";
+import { ensureIds } from "../../www/src/scene/model";
+import type { Scenario } from "../../www/src/scene/scenario";
 import { wayCsv } from "../../www/src/panels/way-csv";
 import { dxfOf } from "../../www/src/picture/dxf-file";
 import { boxOfDrawing, PAPERS, paperFor, printPage, SCALES, sheetSvg } from "../../www/src/picture/scale-sheet";
 import { DRAWING_LAYERS, siteDrawing } from "../../www/src/picture/site-drawing";
 import { readSitePlan } from "../../www/src/siteplan/read-site-plan";
+
+const scenario = (id: string) => ensureIds(given(id));
 
 let scene: Scenario, plan: Plan;
 beforeAll(async () => {

@@ -1,4 +1,4 @@
-import type { Slot } from "parkade";
+import type { Slot } from "../../www/src/scene/scenario";
 import { describe, expect, it } from "vitest";
 import { resolve, slotOutline, poseInSlot } from "../../www/src/scene/model";
 import { insidePolygon, distance } from "../../www/src/scene/geometry";

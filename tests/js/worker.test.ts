@@ -4,6 +4,7 @@ import {
   init,
   planners,
   scenario,
+  type Scenario,
   stopWaitGo,
   trajectory,
   type LayerName,
@@ -14,7 +15,6 @@ import { Lane } from "../../www/src/planning/planner-queue";
 import type { WorkerLike } from "../../www/src/planning/pool";
 import { WorkerPool } from "../../www/src/planning/pool";
 import type { Reply, Request, Waiting } from "../../www/src/planning/protocol";
-import type { Scenario } from "../../www/src/scene/scenario";
 
 type Planned = Extract<Reply, { kind: "planned" }>;
 

@@ -17,6 +17,7 @@ import { AppElement } from "./base";
 import { BAY_COLUMNS, bayCsv, bayLines, UNITS, type BayColumn, type BayLine, type BayOrder } from "./bay-rows";
 import { heading, say } from "./bay-words";
 import { valueOf } from "./inputs";
+import { nth } from "../scene/nth";
 
 const ENTRIES: readonly BayEntry[] = ["either", "head-in", "reverse-in"];
 const ENTRY_WORDS = { either: "either", "head-in": "headIn", "reverse-in": "reverseIn" } as const;
@@ -241,7 +242,7 @@ export class BayPanel extends AppElement {
 
   private legend(): TemplateResult {
     const scheme = this.app.tokens().dark ? "dark" : "light";
-    return html`<span class="legend">${say(this.state.lang, "legend")} ${RAMP[scheme].map((fill, i) => html`<b .style=${`--fill:${fill};--ink:${INK[scheme][i]!}`}>${i < 3 ? i + 1 : ">3"}</b>`)}<b class="none" title=${say(this.state.lang, "outOfReach")}>✕</b></span>`;
+    return html`<span class="legend">${say(this.state.lang, "legend")} ${RAMP[scheme].map((fill, i) => html`<b .style=${`--fill:${fill};--ink:${nth(INK[scheme], i)}`}>${i < 3 ? i + 1 : ">3"}</b>`)}<b class="none" title=${say(this.state.lang, "outOfReach")}>✕</b></span>`;
   }
 
   private vehicles({ vehicle }: BayCheck): TemplateResult {

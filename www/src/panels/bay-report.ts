@@ -1,4 +1,3 @@
-/** The check of all bays on paper: the plan at a true scale, and the table on the pages after it. */
 import type { AuditRow } from "parkade";
 import { download, type App } from "../app/app";
 import { number, reasonIn, type Lang } from "../i18n/index";
@@ -21,7 +20,7 @@ import { INK, RAMP } from "../view/layers/bays";
 import { BAY_COLUMNS, bayLines } from "./bay-rows";
 import { heading, say as sayBays } from "./bay-words";
 import { say, today, vehicleText } from "./sheet-words";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 export function saveReport({ store }: App): void {
   const { bays, scene, lang } = store.state;
@@ -41,7 +40,7 @@ export function reportPage(scene: Scene, check: BayCheck, lang: Lang): string {
     title = scene.name || sayBays(lang, "title"),
     language = lang === "zh" ? "zh-CN" : "en";
   if (scale === undefined) {
-    const note = say(lang, "tooLarge", { scale: SCALES.at(-1)! });
+    const note = say(lang, "tooLarge", { scale: lastIn(SCALES) });
     return printPage(title, language, { svg: "", paper: "A4" }, tableOf(check, lang, title, note));
   }
   const { asked, reachable, hard } = countBays(check);

@@ -25,7 +25,7 @@ import {
   type Plot,
   type Quantity,
 } from "./chart-lines";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 /** A place on the x axis, in metres or seconds: the focused path's place and, where it is known, its moment. */
 interface Position {
@@ -202,7 +202,7 @@ export class Charts extends AppElement {
     }
     if (playback.base !== "drive") return null;
     const car = drivenAt(this.state, plan, results[focus], 1);
-    return car && place(car.along, drive ? Math.min(clockOf(this.state), drive.t.at(-1)!) : null);
+    return car && place(car.along, drive ? Math.min(clockOf(this.state), lastIn(drive.t)) : null);
   }
 
   private focused(): Line | undefined {
@@ -235,7 +235,7 @@ export class Charts extends AppElement {
       pose = isTime ? drive && atTime(drive, at)?.pose : plan && poseAtDistance(plan, at);
     if (!pose) return;
     const hover = { x: pose.x, y: pose.y };
-    this.pointed = isTime ? { hover, clock: Math.min(at, drive!.t.at(-1)!) } : null;
+    this.pointed = isTime ? { hover, clock: Math.min(at, lastIn(drive!.t)) } : null;
     this.app.store.set({ hover });
   }
 }

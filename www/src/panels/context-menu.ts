@@ -79,7 +79,7 @@ export class ContextMenu extends AppElement {
       store.set({ toolOptions: { ...toolOptions, [name]: !toolOptions[name] } });
     return html`<div class="popover" role="menu" aria-label=${say(this.state.lang, "menu")} @keydown=${this.onKey}>
       ${some ? html`${this.command("duplicate")}${this.command("remove")}` : nothing}
-      ${slot && !slot.occupied ? this.item("slot", "slotGoal", null, () => store.edit(setGoalFromSlot(scene, slot.id!), { label: "goal" })) : nothing}
+      ${slot && !slot.occupied ? this.item("slot", "slotGoal", null, () => store.edit(setGoalFromSlot(scene, slot.id), { label: "goal" })) : nothing}
       ${this.goals(request)}
       ${isPose(selection) && selection.kind === "goal" ? this.command("flip") : nothing}
       ${some || isPose(selection) ? html`<hr>` : html`${this.item("car", "startHere", "placeStart", () => place("start"))}${this.item("car", "goalHere", "placeGoal", () => place("goal"))}<hr>`}
@@ -92,7 +92,7 @@ export class ContextMenu extends AppElement {
   private goals(request: MenuRequest): TemplateResult | typeof nothing {
     const { scene, selection } = this.state,
       ids = idsOf(selection),
-      named = slotsOfGoal(scene).map((slot) => slot.id!);
+      named = slotsOfGoal(scene).map((slot) => slot.id);
     const goal = (name: IconName, key: Parameters<typeof say>[1], make: () => Scene): TemplateResult =>
       this.item(name, key, null, () => this.app.store.edit(make(), { label: "goal" }));
     if (selection?.kind === "start")

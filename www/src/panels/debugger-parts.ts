@@ -1,4 +1,3 @@
-/** The lists of the search debugger: moves, open list, pseudocode, risk field. */
 import { html, nothing, type TemplateResult } from "lit";
 import type { Explanation } from "parkade";
 import { number, type Lang } from "../i18n/index";
@@ -8,6 +7,7 @@ import { cost, placeOf, placeOfStep, say, targetOf } from "../texts/search-words
 import { samplingOf } from "../texts/sampling-steps";
 import { UNITS, type Unit } from "./debugger-session";
 import { SIGNS } from "../view/layers/search-marks";
+import { nth } from "../scene/nth";
 
 const SHOWN_ENTRIES = 12;
 
@@ -16,7 +16,7 @@ export function movesTable(lang: Lang, replay: SearchReplay): TemplateResult | t
   const { step, move, trace } = replay;
   if (step < 0) return nothing;
   const moves: number[] = [];
-  for (let one = trace.first[step]!; one <= move; one++) moves.push(one);
+  for (let one = nth(trace.first, step); one <= move; one++) moves.push(one);
   return html`<h3>${say(lang, samplingOf(replay) === "candidates" ? "legs" : "moves", { place: placeOfStep(lang, replay, step) })}</h3>
     ${
       trace.first[step] === trace.first[step + 1]
@@ -33,14 +33,16 @@ function moveRow(lang: Lang, replay: SearchReplay, move: number): TemplateResult
     hasG = isLegal && !(fate === "drawn" && samplingOf(replay) === "tree"),
     hasH = fate === "kept" || fate === "improved";
   return html`<tr class="${move === replay.move ? "now" : ""} ${isLegal ? "" : "bad"}"><td class="sign" aria-hidden="true">${SIGNS[fate]}</td><td>${targetOf(lang, replay, move)}</td>
-    <td class="n">${hasG ? cost(lang, replay, trace.targetG[move]!) : ""}</td><td class="n">${hasH ? cost(lang, replay, trace.targetH[move]!) : ""}</td><td class="why">${fateText(lang, replay, move)}</td></tr>`;
+    <td class="n">${hasG ? cost(lang, replay, nth(trace.targetG, move)) : ""}</td><td class="n">${hasH ? cost(lang, replay, nth(trace.targetH, move)) : ""}</td><td class="why">${fateText(lang, replay, move)}</td></tr>`;
 }
 
 /** The entries that come next on a side. */
 export function openTable(lang: Lang, replay: SearchReplay, side: number): TemplateResult {
   const sampling = samplingOf(replay);
   if (sampling)
-    return sampling === "tree" ? html`<h3>${say(lang, "tree", { n: replay.sides[side]!.open.length })}</h3>` : html``;
+    return sampling === "tree"
+      ? html`<h3>${say(lang, "tree", { n: nth(replay.sides, side).open.length })}</h3>`
+      : html``;
   const entries = replay.openList(side, SHOWN_ENTRIES),
     all = replay.sides[side]?.open.length ?? 0;
   const head = `${replay.sides.length > 1 ? `${say(lang, side === 1 ? "side.1" : "side.0")} · ` : ""}${say(lang, "openList", { n: entries.length, all })}`;
@@ -69,7 +71,7 @@ export function variables(lang: Lang, replay: SearchReplay): TemplateResult | ty
   if (step < 0) return nothing;
   const sampling = samplingOf(replay),
     isCandidate = sampling === "candidates",
-    at = (column: Float64Array): string => cost(lang, replay, column[step]!);
+    at = (column: Float64Array): string => cost(lang, replay, nth(column, step));
   const rows: [string, string][] = isCandidate
     ? [[say(lang, "fitness"), at(trace.f)]]
     : [
@@ -80,7 +82,7 @@ export function variables(lang: Lang, replay: SearchReplay): TemplateResult | ty
   if (!sampling) rows.push(["h(n)", at(trace.h)], ["f(n)", at(trace.f)]);
   if (move >= 0) {
     rows.push(["m", targetOf(lang, replay, move)]);
-    if (!sampling) rows.push(["g(n) + c", cost(lang, replay, trace.targetG[move]!)]);
+    if (!sampling) rows.push(["g(n) + c", cost(lang, replay, nth(trace.targetG, move))]);
   }
   if (!isCandidate)
     rows.push([sampling ? "|tree|" : "|open|", replay.sides.map(({ open }) => open.length).join(" + ")]);
@@ -101,7 +103,7 @@ export function estimatesCard(
   goal: { x: number; y: number },
 ): TemplateResult | typeof nothing {
   const { step, trace } = replay,
-    node = step < 0 ? -1 : trace.nodes[step]!,
+    node = step < 0 ? -1 : nth(trace.nodes, step),
     found = step < 0 ? null : estimatesAt(replay, node, goal);
   if (!found) return nothing;
   const names = Object.keys(found.all) as (keyof typeof found.all)[];

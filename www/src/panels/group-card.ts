@@ -1,4 +1,4 @@
-import type { Slot } from "parkade";
+import type { Slot } from "../scene/scenario";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { wordsAt } from "../i18n/words";
 import { findSlot, updateSlot, type Scene } from "../scene/model";

@@ -5,7 +5,7 @@ import type { PanelResult, State } from "../store";
 import { played } from "../store/results";
 import { isEncounter } from "../view/playback-time";
 import { drivablePlan, searchTime, statusOf, timeTitle, type Status } from "../texts/status";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 export const COLUMNS = [
   "length",
@@ -104,7 +104,7 @@ function valueOf(result: PanelResult | undefined, column: Column, drivable: bool
 /** Seconds of the drive that plays; null until it is known, and where the car does not arrive. */
 export function driveSeconds(result: PanelResult): number | null {
   const drive = played(result)?.drive;
-  return !drive || (isEncounter(drive) && drive.ending !== "arrived") ? null : drive.t.at(-1)!;
+  return !drive || (isEncounter(drive) && drive.ending !== "arrived") ? null : lastIn(drive.t);
 }
 
 function pathValue({ metrics, check }: Plan, column: Column, drivable: boolean): number | null {
@@ -166,7 +166,7 @@ function markBest(rows: Row[], column: Column): void {
   if (ranked.length === 0) return;
   const values = ranked.map((row) => row.cells[column].value!);
   const best = column === "clearance" ? Math.max(...values) : Math.min(...values);
-  const read = (cell: Cell): string => cell.text.split(" [")[0]!,
+  const read = (cell: Cell): string => nth(cell.text.split(" ["), 0),
     text = read(ranked.find((row) => row.cells[column].value === best)!.cells[column]);
   for (const row of ranked) row.cells[column].best = read(row.cells[column]) === text;
 }

@@ -1,5 +1,6 @@
 import type { Selection } from "../scene/selection";
-import type { Obstacle, Pose } from "parkade";
+import type { Pose } from "parkade";
+import type { Obstacle } from "../scene/scenario";
 import { css, html, type TemplateResult } from "lit";
 import { takesKey } from "../app/keyboard";
 import { number, translate, type Lang } from "../i18n/index";
@@ -92,9 +93,9 @@ export function objectName(lang: Lang, obstacle: Obstacle): string {
 function itemsOf({ scene, lang }: State): Item[] {
   const slots = (scene.slots ?? []).map(
     (slot, i): Item => ({
-      key: slot.id!,
+      key: slot.id,
       icon: "slot",
-      selection: { kind: "slot", id: slot.id! },
+      selection: { kind: "slot", id: slot.id },
       name: `${translate(lang, "thing.slotName")} ${i + 1}`,
       detail: slot.occupied ? translate(lang, "inspect.occupied") : translate(lang, `option.${slot.kind}`),
     }),
@@ -105,27 +106,27 @@ function itemsOf({ scene, lang }: State): Item[] {
       n = (counts.get(kind) ?? 0) + 1;
     counts.set(kind, n);
     return {
-      key: obstacle.id!,
+      key: obstacle.id,
       icon: ICONS[obstacle.type],
-      selection: { kind: "obstacle", id: obstacle.id! },
+      selection: { kind: "obstacle", id: obstacle.id },
       name: `${kind} ${n}`,
       detail: detailOf(lang, obstacle),
     };
   });
   const moving = (scene.moving ?? []).map(
     (one, i): Item => ({
-      key: one.id!,
+      key: one.id,
       icon: "moving",
-      selection: { kind: "moving", id: one.id! },
+      selection: { kind: "moving", id: one.id },
       name: `${translate(lang, "thing.movingName")} ${i + 1}`,
       detail: `${number(lang, one.speed, 2)} m/s`,
     }),
   );
   const costs = (scene.costs ?? []).map(
     (area): Item => ({
-      key: area.id!,
+      key: area.id,
       icon: "cost",
-      selection: { kind: "cost", id: area.id! },
+      selection: { kind: "cost", id: area.id },
       name: `${translate(lang, "thing.costName")} ×${area.weight}`,
       detail: translate(lang, "thing.cellCount", { n: cellsOf(area.runs) }),
     }),

@@ -12,6 +12,7 @@ import { AppElement } from "./base";
 import { isChecked, numberOf } from "./inputs";
 import { marker } from "../styles/icons";
 import { thingName } from "../texts/status";
+import { nth } from "../scene/nth";
 
 /** Of any planner, by the names that its parameters have. */
 type Settings = Record<string, unknown>;
@@ -102,7 +103,7 @@ export class Parameters extends AppElement {
     const values = {
       kept: this.metres(plan.metrics.minClearance),
       margin: this.metres(margin),
-      along: this.num(distancesOf(plan)[place.pose]!, 1),
+      along: this.num(nth(distancesOf(plan), place.pose), 1),
       thing: thingName(this.state, place),
     };
     const show = (): void => this.app.store.set({ preview: { planner: focus, plan, place } }),

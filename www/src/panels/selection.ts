@@ -1,4 +1,5 @@
-import type { CostArea, MovingObstacle, Obstacle, Pose, Road, Slot } from "parkade";
+import type { Pose } from "parkade";
+import type { CostArea, MovingObstacle, Obstacle, Road, Slot } from "../scene/scenario";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { wordsAt } from "../i18n/words";
 import {
@@ -93,11 +94,11 @@ export class SelectionCard extends AppElement {
 
   private obstacle(obstacle: Obstacle): TemplateResult {
     return html`${this.heading(objectName(this.state.lang, obstacle))}${obstacle.type === "road" ? this.road(obstacle) : this.fields(this.obstacleFields(obstacle))}
-      ${this.deleteRow(() => this.edit(removeObstacle(this.state.scene, obstacle.id!)))}`;
+      ${this.deleteRow(() => this.edit(removeObstacle(this.state.scene, obstacle.id)))}`;
   }
 
   private obstacleFields(obstacle: Obstacle): Field[] {
-    const apply = (next: Obstacle): Scene => updateObstacle(this.state.scene, obstacle.id!, next);
+    const apply = (next: Obstacle): Scene => updateObstacle(this.state.scene, obstacle.id, next);
     if (obstacle.type === "car")
       return poseFields(obstacle.pose, (patch) => apply({ ...obstacle, pose: { ...obstacle.pose, ...patch } }));
     if (obstacle.type === "wall") {
@@ -123,7 +124,7 @@ export class SelectionCard extends AppElement {
 
   private road(road: Road): TemplateResult {
     const { lang } = this.state,
-      apply = (patch: Partial<Road>): Scene => updateObstacle(this.state.scene, road.id!, { ...road, ...patch });
+      apply = (patch: Partial<Road>): Scene => updateObstacle(this.state.scene, road.id, { ...road, ...patch });
     const [along, against] = lanesOf(road);
     const lanes = (label: string, value: number, put: (n: number) => [number, number]): Field => ({
       label,
@@ -158,7 +159,7 @@ export class SelectionCard extends AppElement {
   }
 
   private moving(one: MovingObstacle): TemplateResult {
-    const patch = (change: Partial<MovingObstacle>): Scene => updateMoving(this.state.scene, one.id!, change);
+    const patch = (change: Partial<MovingObstacle>): Scene => updateMoving(this.state.scene, one.id, change);
     const { lang } = this.state,
       [length, width] = one.size;
     return html`${this.heading(this.t("thing.movingName"))}
@@ -187,7 +188,7 @@ export class SelectionCard extends AppElement {
         ],
         2,
       )}
-      ${this.deleteRow(() => this.edit(removeMoving(this.state.scene, one.id!)))}`;
+      ${this.deleteRow(() => this.edit(removeMoving(this.state.scene, one.id)))}`;
   }
 
   private cost({ id, weight }: CostArea): TemplateResult {
@@ -199,7 +200,7 @@ export class SelectionCard extends AppElement {
   }
 
   private slotCard(slot: Slot): TemplateResult {
-    const id = slot.id!;
+    const id = slot.id;
     const patch = (change: Partial<Slot>): Scene => updateSlot(this.state.scene, id, change);
     const goal = this.state.scene.goal;
     const isGoal = "slot" in goal && goal.slot === id;
@@ -252,7 +253,7 @@ export class SelectionCard extends AppElement {
 
 /** A limit of 0 is none. */
 function withoutSpeed(scene: Scene, { speed, ...road }: Road): Scene {
-  return updateObstacle(scene, road.id!, speed ? { ...road, speed } : road);
+  return updateObstacle(scene, road.id, speed ? { ...road, speed } : road);
 }
 
 function poseFields(pose: Pose, move: (patch: Partial<Pose>) => Scene): Field[] {

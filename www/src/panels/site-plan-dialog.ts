@@ -5,6 +5,8 @@ import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/site-plan.json";
 import { words } from "../i18n/words";
 import { boxOf, distance, type Point } from "../scene/geometry";
+import { ensureIds } from "../scene/model";
+import type { Scene } from "../store";
 import { SitePlanError } from "../siteplan/site-plan";
 import { ROLES, sceneFromSitePlan, suggestedRole, suggestedUnit, widthOf } from "../siteplan/site-plan-scene";
 import { controls } from "../styles/controls";
@@ -15,6 +17,9 @@ import { numberOf, valueOf } from "./inputs";
 import "./site-plan-preview";
 
 const say = words("sitePlan", messages);
+
+/** A scene with what there is to say of it. */
+type Made = Omit<SitePlanScene, "scene"> & { scene: Scene };
 
 /** Asks what the layers of a site plan are, and shows the scene that comes of them. */
 export class SitePlanDialog extends DialogElement {
@@ -166,7 +171,7 @@ export class SitePlanDialog extends DialogElement {
   }
 
   /** The scene, or why there is none. */
-  private made(plan: SitePlan): SitePlanScene | { reason: string } {
+  private made(plan: SitePlan): Made | { reason: string } {
     const { roles, unit, around } = this;
     if (Object.values(roles).every((role) => role === "none")) return { reason: say(this.state.lang, "choose") };
     try {
@@ -176,15 +181,16 @@ export class SitePlanDialog extends DialogElement {
         around,
         name: this.name.replace(/\.\w+$/, ""),
       });
-      this.app.catalog?.geometry(made.scene);
-      return made;
+      const scene = ensureIds(made.scene);
+      this.app.catalog?.geometry(scene);
+      return { ...made, scene };
     } catch (error) {
       if (error instanceof SitePlanError || error instanceof Error) return { reason: sentence(error) };
       throw error;
     }
   }
 
-  private async accept(event: Event, made: SitePlanScene | { reason: string }): Promise<void> {
+  private async accept(event: Event, made: Made | { reason: string }): Promise<void> {
     event.preventDefault();
     if ("reason" in made) return;
     await (await vast.load()).prepare(made.scene, this.app.tokens());

@@ -1,4 +1,3 @@
-/** A scene and the swept path of one manoeuvre as lines and texts by layer, in metres: for true scale on paper and for DXF. */
 import type { Plan } from "parkade";
 import { fromPose, type Point } from "../scene/geometry";
 import { mapOutline, resolve, type Scene } from "../scene/model";
@@ -7,7 +6,7 @@ import { slotLines } from "../scene/slots";
 import { footprint } from "../scene/vehicle";
 import { poseAt } from "../view/drive";
 import { hullsAlong, outlineOf } from "../view/swept";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 export const DRAWING_LAYERS = [
   "ground",
@@ -146,7 +145,7 @@ function joined(pieces: readonly (readonly [Point, Point])[]): Point[][] {
     used.add(i);
     const points: Point[] = [a, b];
     for (;;) {
-      const next = (from.get(keyOf(points.at(-1)!)) ?? []).find((k) => !used.has(k));
+      const next = (from.get(keyOf(lastIn(points))) ?? []).find((k) => !used.has(k));
       if (next === undefined) return [points];
       used.add(next);
       points.push(nth(pieces, next)[1]);

@@ -1,4 +1,3 @@
-/** Asks every bay of the scene in workers, and after an edit first those that it touches. */
 import type { AuditRow } from "parkade";
 import { changesBetween, grown, isNear, sweepsNear, type SceneChanges } from "../scene/scene-changes";
 import type { Scenario } from "../scene/scenario";
@@ -94,7 +93,7 @@ export class BayChecker {
 
   private isTouched(index: number, { everywhere, boxes, slots }: SceneChanges): boolean {
     const rows = this.rows.get(index);
-    if (everywhere || !rows || slots.has(this.scene.slots![index]!.id ?? "")) return true;
+    if (everywhere || !rows || slots.has(nth(this.scene.slots!, index).id ?? "")) return true;
     const vehicle = vehicleOf(this.vehicle.vehicle);
     return rows.some((row) =>
       [row, row.out].some(

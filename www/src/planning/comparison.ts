@@ -1,6 +1,5 @@
-/** The road manuscript's comparison with other algorithms and its sensitivity to settings, measured through the package's interface. */
 import type { Plan, PlannerId, RoadPlan, Scenario } from "parkade";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 /** The functions that are called; the page's worker and the documentation have them from different builds. */
 export interface Engine {
@@ -97,7 +96,7 @@ function span(values: readonly number[]): Span {
   const sorted = [...values].sort((a, b) => a - b),
     middle = sorted.length >> 1;
   const median = sorted.length % 2 === 1 ? nth(sorted, middle) : (nth(sorted, middle - 1) + nth(sorted, middle)) / 2;
-  return [median, nth(sorted, 0), sorted.at(-1)!];
+  return [median, nth(sorted, 0), lastIn(sorted)];
 }
 
 /** The band of 1000 drives along the cost map's path. */

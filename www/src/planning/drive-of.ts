@@ -1,6 +1,6 @@
 import type { Drive, Encounter, Limits, Plan } from "parkade";
 import { stopWaitGo, trajectory } from "parkade";
-import type { Scenario } from "../scene/scenario";
+import type { Scenario } from "parkade";
 import type { Waiting } from "./protocol";
 
 /** A plan in time, among moving obstacles where there are some; null where no car drives it. */

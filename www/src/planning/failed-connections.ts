@@ -1,5 +1,5 @@
-/** Of a recorded search for a car: where the cheapest connection to the other end fails, by its step. */
 import type { ArcTrace, Pose } from "parkade";
+import { nth } from "../scene/nth";
 
 const FIELDS = 5;
 
@@ -37,11 +37,11 @@ export class FailedConnections {
       { shots } = this;
     if (number === undefined) return null;
     const arcs: DrivenArc[] = [];
-    for (let at = shots.first[number]!; at < (shots.first[number + 1] ?? shots.arcs.length / FIELDS); at++)
+    for (let at = nth(shots.first, number); at < (shots.first[number + 1] ?? shots.arcs.length / FIELDS); at++)
       arcs.push(arcOf(shots.arcs, at));
     const [x, y, heading] = shots.hits.subarray(3 * number, 3 * number + 3) as unknown as [number, number, number];
     const length = arcs.reduce((sum, one) => sum + Math.abs(one.length), 0);
-    return { arcs, hit: { x, y, heading }, obstacle: shots.obstacles[number]!, length };
+    return { arcs, hit: { x, y, heading }, obstacle: nth(shots.obstacles, number), length };
   }
 }
 

@@ -1,6 +1,6 @@
 /** A worker of the complete module for one long job after another. */
 import type { Run } from "../scene/cells";
-import type { Scenario } from "../scene/scenario";
+import type { Scenario } from "parkade";
 import { rememberPacked } from "../scene/large-scene";
 import { Calls } from "./calls";
 import type { Jobs, Moved } from "./job-worker";

@@ -48,7 +48,7 @@ import {
   scenario,
 } from "parkade";
 import type { Run } from "../scene/cells";
-import type { Scenario } from "../scene/scenario";
+import type { Scenario } from "parkade";
 import { compare, envelope, sweep, type Compared, type Engine, type Sample, type Swept } from "./comparison";
 import { cheapest, choicesOf, type Driven } from "./choices-of";
 import { driveOf } from "./drive-of";

@@ -1,7 +1,7 @@
 import type { Timing } from "../store/results";
 import type { HybridPlan, Plan, Planner, PlannerId } from "parkade";
 import { transferables } from "parkade/worker/transfer";
-import type { Scenario } from "../scene/scenario";
+import type { Scenario } from "parkade";
 import type { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
 import type { Ends, Layers, PlanRequest, Reply, Request } from "./protocol";

@@ -1,7 +1,7 @@
 import type { Timing } from "../store/results";
 import type { Explanation, LayerName, Limits, Plan, PlannerId, Prefer } from "parkade";
 import { isGoalPose } from "../scene/model";
-import type { Scenario } from "../scene/scenario";
+import type { Scenario } from "parkade";
 import type { Holder, PlanWorkers, WorkerLike } from "./pool";
 import type { Ends, Failure, Layers, Reply, Waiting } from "./protocol";
 

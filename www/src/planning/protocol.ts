@@ -1,6 +1,6 @@
 import type { Timing } from "../store/results";
 import type { Drive, Encounter, Explanation, Layer, LayerName, Limits, Plan, PlannerId, Pose, Prefer } from "parkade";
-import type { Scenario } from "../scene/scenario";
+import type { Scenario } from "parkade";
 
 /** Requests to a planner's worker. */
 export type Request =

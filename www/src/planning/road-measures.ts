@@ -1,5 +1,5 @@
 /** Figures and collision risk of plans on roads, measured beside the planners. */
-import type { collisionRisk, Plan, RoadFigures } from "parkade";
+import type { collisionRisk, Plan, RoadFigures, Scenario } from "parkade";
 import { forPlanners } from "../scene/large-scene";
 import type { Scene } from "../store";
 import { Helper } from "./job-client";
@@ -47,7 +47,7 @@ export class RoadMeasures {
     return (this.helper ??= new Helper(this.engine));
   }
 
-  private packed(scene: Scene): Scene {
+  private packed(scene: Scene): Scenario {
     return forPlanners(scene, this.engine.api.packRuns);
   }
 }

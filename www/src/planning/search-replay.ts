@@ -1,10 +1,5 @@
-/**
- * A recorded search, walked through event by event in both directions.
- *
- * An event is either an entry taken from the open list or one move considered there. Every event can be taken back from
- * what the trace itself and a few columns of the same length hold, so memory does not grow with the way walked.
- */
 import type { Pose, PoseTrace, SearchTrace } from "parkade";
+import { nth } from "../scene/nth";
 
 export const STEP = {
   expand: 0,
@@ -97,7 +92,7 @@ export class SearchReplay {
     this.sides.forEach((side, at) => {
       const first = this.kindsOf(at);
       if (first < 0) return;
-      side.entry[nodes[first]!] = 1 + at;
+      side.entry[nth(nodes, first)] = 1 + at;
       this.insert(side, 1 + at);
     });
   }
@@ -118,7 +113,7 @@ export class SearchReplay {
       high = this.steps - 1;
     while (low < high) {
       const middle = (low + high + 1) >> 1;
-      if (first[middle]! + middle <= event) low = middle;
+      if (nth(first, middle) + middle <= event) low = middle;
       else high = middle - 1;
     }
     return low;
@@ -126,7 +121,7 @@ export class SearchReplay {
 
   /** The number of events after which a step is done. */
   endOf(step: number): number {
-    return step < 0 ? 0 : this.trace.first[step + 1]! + step + 1;
+    return step < 0 ? 0 : nth(this.trace.first, step + 1) + step + 1;
   }
 
   /** The move of the last event; -1 where it took an entry. */
@@ -134,13 +129,13 @@ export class SearchReplay {
     const { step } = this;
     if (step < 0) return -1;
     const move = this.at - 1 - step - 1;
-    return move >= this.trace.first[step]! ? move : -1;
+    return move >= nth(this.trace.first, step) ? move : -1;
   }
 
-  kindOf = (step: number): number => this.trace.kinds[step]! & 15;
-  sideOf = (step: number): number => this.trace.kinds[step]! >> 4;
-  fateOf = (move: number): FateName => FATE_NAMES[this.trace.fates[move]! & 15]!;
-  isPast = (move: number): boolean => (this.trace.fates[move]! & PAST) > 0;
+  kindOf = (step: number): number => nth(this.trace.kinds, step) & 15;
+  sideOf = (step: number): number => nth(this.trace.kinds, step) >> 4;
+  fateOf = (move: number): FateName => nth(FATE_NAMES, nth(this.trace.fates, move) & 15);
+  isPast = (move: number): boolean => (nth(this.trace.fates, move) & PAST) > 0;
 
   /** Goes to where so many events are done. */
   seek(event: number): void {
@@ -153,7 +148,7 @@ export class SearchReplay {
     const event = this.at++;
     const step = this.stepAt(event),
       move = event - step - 1;
-    if (move < this.trace.first[step]!) this.take(step);
+    if (move < nth(this.trace.first, step)) this.take(step);
     else this.offer(step, move);
   }
 
@@ -161,7 +156,7 @@ export class SearchReplay {
     const event = --this.at;
     const step = this.stepAt(event),
       move = event - step - 1;
-    if (move < this.trace.first[step]!) this.untake(step);
+    if (move < nth(this.trace.first, step)) this.untake(step);
     else this.unoffer(step, move);
   }
 
@@ -169,8 +164,8 @@ export class SearchReplay {
   private stepAt(event: number): number {
     const { first } = this.trace;
     let step = this.near;
-    while (step + 1 < this.steps && first[step + 1]! + step + 1 <= event) step++;
-    while (first[step]! + step > event) step--;
+    while (step + 1 < this.steps && nth(first, step + 1) + step + 1 <= event) step++;
+    while (nth(first, step) + step > event) step--;
     this.near = step;
     return step;
   }
@@ -181,59 +176,59 @@ export class SearchReplay {
 
   private take(step: number): void {
     if (this.takesNothing(step)) return;
-    const node = this.trace.nodes[step]!,
+    const node = nth(this.trace.nodes, step),
       turn = this.sideOf(step),
-      side = this.sides[turn]!;
-    if (this.kindOf(step) === STEP.deferred) return this.remove(side, this.waiting![node]!);
-    this.remove(side, side.entry[node]!);
+      side = nth(this.sides, turn);
+    if (this.kindOf(step) === STEP.deferred) return this.remove(side, nth(this.waiting!, node));
+    this.remove(side, nth(side.entry, node));
     side.closed[node] = 1;
     const other = this.isNba && this.sides[1 - turn];
     if (!other || other.closed[node]) return;
     const isOpen = other.entry[node] !== NONE;
-    if (isOpen) this.remove(other, other.entry[node]!);
+    if (isOpen) this.remove(other, nth(other.entry, node));
     other.closed[node] = 1;
     this.closing[step] = isOpen ? 2 : 1;
   }
 
   private untake(step: number): void {
     if (this.takesNothing(step)) return;
-    const node = this.trace.nodes[step]!,
+    const node = nth(this.trace.nodes, step),
       turn = this.sideOf(step),
-      side = this.sides[turn]!;
-    if (this.kindOf(step) === STEP.deferred) return this.insert(side, this.waiting![node]!);
+      side = nth(this.sides, turn);
+    if (this.kindOf(step) === STEP.deferred) return this.insert(side, nth(this.waiting!, node));
     side.closed[node] = 0;
-    this.insert(side, side.entry[node]!);
+    this.insert(side, nth(side.entry, node));
     if (this.closing[step] === 0) return;
-    const other = this.sides[1 - turn]!;
+    const other = nth(this.sides, 1 - turn);
     other.closed[node] = 0;
-    if (this.closing[step] === 2) this.insert(other, other.entry[node]!);
+    if (this.closing[step] === 2) this.insert(other, nth(other.entry, node));
     this.closing[step] = 0;
   }
 
   private offer(step: number, move: number): void {
-    const fate = this.trace.fates[move]! & 15,
-      target = this.trace.targets[move]!,
-      side = this.sides[this.sideOf(step)]!;
+    const fate = nth(this.trace.fates, move) & 15,
+      target = nth(this.trace.targets, move),
+      side = nth(this.sides, this.sideOf(step));
     if (fate === FATE.requeued) {
       this.waiting![target] = move + 3;
       return this.insert(side, move + 3);
     }
     if (fate > FATE.improved || this.kindOf(step) === STEP.goal) return;
-    this.before[move] = side.entry[target]!;
-    if (side.entry[target] !== NONE) this.remove(side, side.entry[target]!);
+    this.before[move] = nth(side.entry, target);
+    if (side.entry[target] !== NONE) this.remove(side, nth(side.entry, target));
     side.entry[target] = move + 3;
     this.insert(side, move + 3);
   }
 
   private unoffer(step: number, move: number): void {
-    const fate = this.trace.fates[move]! & 15,
-      target = this.trace.targets[move]!,
-      side = this.sides[this.sideOf(step)]!;
+    const fate = nth(this.trace.fates, move) & 15,
+      target = nth(this.trace.targets, move),
+      side = nth(this.sides, this.sideOf(step));
     if (fate === FATE.requeued) return this.remove(side, move + 3);
     if (fate > FATE.improved || this.kindOf(step) === STEP.goal) return;
     this.remove(side, move + 3);
-    side.entry[target] = this.before[move]!;
-    if (side.entry[target] !== NONE) this.insert(side, side.entry[target]!);
+    side.entry[target] = nth(this.before, move);
+    if (side.entry[target] !== NONE) this.insert(side, nth(side.entry, target));
   }
 
   private insert(side: Side, entry: number): void {
@@ -242,7 +237,7 @@ export class SearchReplay {
   }
 
   private remove(side: Side, entry: number): void {
-    const place = this.places[entry]!,
+    const place = nth(this.places, entry),
       last = side.open.pop()!;
     if (last !== entry) {
       side.open[place] = last;
@@ -256,13 +251,20 @@ export class SearchReplay {
     const { trace } = this;
     if (entry < 3) {
       const step = this.kindsOf(entry - 1);
-      return { node: trace.nodes[step]!, g: 0, h: trace.h[step]!, f: trace.f[step]!, age: 0, deferred: false };
+      return {
+        node: nth(trace.nodes, step),
+        g: 0,
+        h: nth(trace.h, step),
+        f: nth(trace.f, step),
+        age: 0,
+        deferred: false,
+      };
     }
     const move = entry - 3,
-      deferred = (trace.fates[move]! & 15) === FATE.requeued;
-    const g = trace.targetG[move]!,
-      h = trace.targetH[move]!;
-    return { node: trace.targets[move]!, g, h, f: g + h + (deferred ? trace.penalty : 0), age: entry, deferred };
+      deferred = (nth(trace.fates, move) & 15) === FATE.requeued;
+    const g = nth(trace.targetG, move),
+      h = nth(trace.targetH, move);
+    return { node: nth(trace.targets, move), g, h, f: g + h + (deferred ? trace.penalty : 0), age: entry, deferred };
   }
 
   /** The first entries of a side's open list in their order: least f, then the oldest, or least h and then the newest. */
@@ -273,7 +275,7 @@ export class SearchReplay {
       if (first.length === count && last && this.priority(number) > last.f) continue;
       const entry = this.entryOf(number);
       let place = first.length;
-      while (place > 0 && this.precedes(entry, first[place - 1]!)) place--;
+      while (place > 0 && this.precedes(entry, nth(first, place - 1))) place--;
       if (place < count) first.splice(place, 0, entry);
       if (first.length > count) first.pop();
     }
@@ -283,7 +285,9 @@ export class SearchReplay {
   private priority(entry: number): number {
     if (entry < 3) return -Infinity;
     const { targetG, targetH, fates, penalty } = this.trace;
-    return targetG[entry - 3]! + targetH[entry - 3]! + ((fates[entry - 3]! & 15) === FATE.requeued ? penalty : 0);
+    return (
+      nth(targetG, entry - 3) + nth(targetH, entry - 3) + ((nth(fates, entry - 3) & 15) === FATE.requeued ? penalty : 0)
+    );
   }
 
   /** How many other entries had the f of the entry that a step took, and how many of these its h as well. */
@@ -295,7 +299,7 @@ export class SearchReplay {
     this.seek(this.endOf(step - 1));
     let byF = -1,
       byH = -1;
-    for (const number of this.sides[side]!.open) {
+    for (const number of nth(this.sides, side).open) {
       if (number > 2 && this.priority(number) !== f[step]) continue;
       const entry = this.entryOf(number);
       if (entry.f !== f[step]) continue;
@@ -319,7 +323,7 @@ export class SearchReplay {
     const { trace } = this;
     if (trace.kind !== "poses") return null;
     const entry = this.sides[side]?.entry[node] ?? NONE;
-    return entry < 3 ? trace.roots[side]! : this.poseAfter(entry - 3);
+    return entry < 3 ? nth(trace.roots, side) : this.poseAfter(entry - 3);
   }
 
   /** Where a move leads; null over cells. */
@@ -350,8 +354,8 @@ export class SearchReplay {
     if (entry < 3) return -1;
     const move = entry - 3;
     const step = this.stepOfMove(move),
-      from = this.trace.nodes[step]!;
-    return this.isPast(move) ? this.parentOf(side, this.sides[side]!.entry[from]!) : from;
+      from = nth(this.trace.nodes, step);
+    return this.isPast(move) ? this.parentOf(side, nth(nth(this.sides, side).entry, from)) : from;
   }
 
   /** The step in which a move was considered. */
@@ -361,7 +365,7 @@ export class SearchReplay {
       high = this.steps - 1;
     while (low < high) {
       const middle = (low + high + 1) >> 1;
-      if (first[middle]! <= move) low = middle;
+      if (nth(first, middle) <= move) low = middle;
       else high = middle - 1;
     }
     return low;

@@ -10,7 +10,7 @@ import {
   type Judgement,
   type OptimisedTrajectory,
 } from "parkade";
-import type { Scenario } from "../scene/scenario";
+import type { Scenario } from "parkade";
 import type { Waiting } from "./protocol";
 import { columnsOf, drivenOf } from "./trajectory-columns";
 import { nth } from "../scene/nth";

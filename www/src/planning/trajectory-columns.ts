@@ -1,6 +1,5 @@
-/** A trajectory's file as a drive to play: the referee has read it without complaint. */
 import type { Drive } from "parkade";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 type Name = "t" | "x" | "y" | "theta" | "v" | "phi" | "a" | "omega" | "gear";
 export type Columns = Partial<Record<Name, number[]>>;
@@ -78,7 +77,7 @@ function timesOf(steps: readonly number[], duration: number): Float64Array {
     }
     from = to;
   }
-  const end = t.at(-1)!;
+  const end = lastIn(t);
   return end > 0 ? t.map((at) => (at / end) * duration) : t;
 }
 

@@ -1,5 +1,5 @@
 /** Brushed cells: one obstacle that strokes add to and take from. */
-import type { Obstacle } from "parkade";
+import type { Obstacle } from "./scenario";
 import { convexRuns, sameRuns, subtractRuns, unionRuns, type Run } from "./cells";
 import { addObstacle, resolve, updateObstacle, type CellsObstacle, type Scene } from "./model";
 import { footprint } from "./vehicle";
@@ -15,7 +15,7 @@ function paintCells(scene: Scene, cells: readonly Run[]): Scene {
   const old = scene.obstacles?.find((o): o is CellsObstacle => o.type === "cells");
   if (!old) return addObstacle(scene, { type: "cells", runs: unionRuns(kept, []) }).scene;
   const runs = unionRuns(old.runs, kept);
-  return sameRuns(runs, old.runs) ? scene : updateObstacle(scene, old.id!, { ...old, runs });
+  return sameRuns(runs, old.runs) ? scene : updateObstacle(scene, old.id, { ...old, runs });
 }
 
 function eraseCells(scene: Scene, cells: readonly Run[]): Scene {

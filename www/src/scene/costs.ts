@@ -1,5 +1,5 @@
 /** Painted cells, which cost more to cross: areas of one weight each, apart from each other. */
-import type { CostArea } from "parkade";
+import type { CostArea } from "./scenario";
 import { sameRuns, subtractRuns, unionRuns, type Run } from "./cells";
 import { nextId, withCosts, type Scene } from "./model";
 

@@ -1,8 +1,8 @@
 /** Scenes as files. */
-import type { Scenario } from "./scenario";
+import type { GivenScenario, Scenario } from "./scenario";
 
 /** A scene file as people read it: two spaces, a closing newline. */
-export function sceneToFile(scene: Scenario): Blob {
+export function sceneToFile(scene: GivenScenario): Blob {
   return new Blob([`${JSON.stringify(scene, null, 2)}\n`], { type: "application/json" });
 }
 

@@ -2,12 +2,12 @@
 import type { SceneGeometry } from "parkade";
 import type { Run } from "./cells";
 import { ensureIds } from "./model";
-import type { Scenario } from "./scenario";
+import type { GivenScenario, Scenario } from "./scenario";
 import { forPlanners } from "./large-scene";
 
 /** The part of the planners' module that knows scenes. */
 interface Module {
-  sceneGeometry(scene: Scenario): SceneGeometry;
+  sceneGeometry(scene: GivenScenario): SceneGeometry;
   packRuns(runs: readonly Run[]): string;
   unpackRuns(text: string): Run[];
 }
@@ -18,16 +18,16 @@ const MOST_THINGS = 2000,
   LONGEST_TEXT = 200;
 
 /** The scene as the page keeps it; throws what is wrong with it. */
-export function checkedScene(scene: Scenario, module: Module): Scenario {
+export function checkedScene(scene: GivenScenario, module: Module): Scenario {
   geometryOf(bounded(scene), module);
   return ensureIds(withRuns(withoutNulls(scene), module.unpackRuns));
 }
 
-export const geometryOf = (scene: Scenario, { sceneGeometry, packRuns }: Module): SceneGeometry =>
+export const geometryOf = (scene: GivenScenario, { sceneGeometry, packRuns }: Module): SceneGeometry =>
   sceneGeometry(forPlanners(scene, packRuns));
 
 /** The same scene, unless it is larger than a page can draw. What is no scene at all is for the planners to refuse. */
-export function bounded(scene: Scenario): Scenario {
+export function bounded<Given extends GivenScenario>(scene: Given): Given {
   const lists = Object.entries(scene ?? {}).filter((entry): entry is [string, unknown[]] => Array.isArray(entry[1]));
   const things = lists.flatMap(([, list]) => list) as ({ id?: unknown; points?: unknown } | null)[];
   limit(lists.map(([key]) => key).join(" and "), "objects", things.length, MOST_THINGS);
@@ -59,7 +59,7 @@ function withoutNulls<T>(value: T): T {
 }
 
 /** The scene with its cells as runs, also where they came as texts. */
-function withRuns(scene: Scenario, unpack: (text: string) => Run[]): Scenario {
+function withRuns(scene: GivenScenario, unpack: (text: string) => Run[]): GivenScenario {
   const unpacked = <T extends { runs: Run[] | string }>(one: T): T =>
     typeof one.runs === "string" ? { ...one, runs: unpack(one.runs) } : one;
   const { obstacles, costs } = scene,

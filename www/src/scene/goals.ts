@@ -1,5 +1,6 @@
 /** The goal of a scene: one place, or any of several. */
-import type { Goal, GoalSet, Pose, Slot, TakenGoal } from "parkade";
+import type { Goal, GoalSet, Pose, TakenGoal } from "parkade";
+import type { Slot } from "./scenario";
 import {
   findSlot,
   goalPose,

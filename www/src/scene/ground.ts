@@ -83,9 +83,9 @@ function standing(scene: Scene): [string, readonly Point[]][] {
     car = (pose: Pose): Point[] => footprint(pose, vehicle);
   const things = thingsOf(scene).map((one): [string, Point[]] => {
     const half = "thickness" in one ? (one.thickness ?? 0) / 2 : 0,
-      points = outlineOfThing(scene, one.id!);
+      points = outlineOfThing(scene, one.id);
     return [
-      one.id!,
+      one.id,
       half > 0
         ? points.flatMap(([x, y]): Point[] => [
             [x - half, y - half],
@@ -94,7 +94,7 @@ function standing(scene: Scene): [string, readonly Point[]][] {
         : points,
     ];
   });
-  const cars = parked.map((one): [string, Point[]] => [one.slot.id!, footprint(one.pose, one.vehicle)]);
+  const cars = parked.map((one): [string, Point[]] => [one.slot.id, footprint(one.pose, one.vehicle)]);
   return [["start", car(start)], ["goal", car(goal)], ...cars, ...things.filter(([, points]) => points.length > 0)];
 }
 

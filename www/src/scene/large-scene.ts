@@ -1,8 +1,6 @@
 /** Scenes of very many cells: what is sent, checked and kept of them must not grow with every edit. */
-import type { Obstacle } from "parkade";
 import type { Run } from "./cells";
-import type { CellsObstacle } from "./model";
-import type { Scenario } from "./scenario";
+import type { GivenObstacle, GivenScenario } from "./scenario";
 
 /** Runs of one obstacle beyond which it is handled as a whole. */
 export const MANY = 2000;
@@ -11,14 +9,16 @@ const SLOW = 20_000;
 /** No link is long enough for more. */
 const LINKABLE = 20_000;
 
+type CellsObstacle = Extract<GivenObstacle, { type: "cells" }>;
+
 const texts = new WeakMap<readonly Run[], string>();
-const sent = new WeakMap<readonly Obstacle[], Obstacle[]>();
+const sent = new WeakMap<readonly GivenObstacle[], GivenObstacle[]>();
 
 /** Remembers what `pack` would make of these runs. */
 export const rememberPacked = (runs: readonly Run[], text: string): void => void texts.set(runs, text);
 
 /** The scene for planners: many cells as a text, which is copied to a worker far faster; the same list for the same obstacles. */
-export function forPlanners(scene: Scenario, pack: (runs: readonly Run[]) => string): Scenario {
+export function forPlanners(scene: GivenScenario, pack: (runs: readonly Run[]) => string): GivenScenario {
   const obstacles = scene?.obstacles ?? [],
     known = sent.get(obstacles);
   if (known) return { ...scene, obstacles: known };
@@ -33,20 +33,20 @@ export function forPlanners(scene: Scenario, pack: (runs: readonly Run[]) => str
 }
 
 /** True if making that text would hold up a drag. */
-export const isUnpacked = (scene: Scenario): boolean =>
+export const isUnpacked = (scene: GivenScenario): boolean =>
   (scene.obstacles ?? []).some((one) => one.type === "cells" && one.runs.length > SLOW && !texts.has(one.runs));
 
 /** The scene without many cells, for questions whose answer does not depend on them. */
-export const withoutCells = (scene: Scenario): Scenario => withCells(scene, () => []);
+export const withoutCells = (scene: GivenScenario): GivenScenario => withCells(scene, () => []);
 
-export const countRuns = (scene: Scenario): number =>
+export const countRuns = (scene: GivenScenario): number =>
   (scene.obstacles ?? []).reduce((sum, one) => sum + (one.type === "cells" ? one.runs.length : 0), 0);
 
-export const fitsLink = (scene: Scenario): boolean => countRuns(scene) <= LINKABLE;
+export const fitsLink = (scene: GivenScenario): boolean => countRuns(scene) <= LINKABLE;
 
-function withCells(scene: Scenario, change: (runs: Run[]) => string | Run[]): Scenario {
+function withCells(scene: GivenScenario, change: (runs: Run[]) => string | Run[]): GivenScenario {
   // What comes from outside may be anything; the planners say what is wrong with it.
-  const isMany = (one: Obstacle): one is CellsObstacle =>
+  const isMany = (one: GivenObstacle): one is CellsObstacle =>
     one?.type === "cells" && Array.isArray(one.runs) && one.runs.length > MANY;
   if (!Array.isArray(scene?.obstacles) || !scene.obstacles.some(isMany)) return scene;
   // The planners take such a text wherever they take runs.

@@ -1,4 +1,3 @@
-/** The short form of a scene behind a link: whole centimetres, tenths of a degree, lists instead of names. */
 import type {
   CostArea,
   Goal,
@@ -12,7 +11,7 @@ import type {
   VehicleSpec,
 } from "parkade";
 import type { Point } from "./geometry";
-import type { Scenario } from "./scenario";
+import type { GivenScenario, Scenario } from "./scenario";
 import { nth } from "./nth";
 
 type Item = number | string | Item[] | Record<string, unknown> | null;
@@ -42,7 +41,7 @@ const cmExactly = (metres: number): number => Math.round(metres * 1e9) / 1e7 + 0
 function packBoundary({ origin, width, height, resolution }: Scenario["map"], points: readonly Point[]): number[] {
   const within = (value: number, k: 0 | 1): number =>
     Math.min(
-      Math.floor((origin[k] + [width, height][k]! * resolution) * 100 + 1e-6),
+      Math.floor((origin[k] + nth([width, height], k) * resolution) * 100 + 1e-6),
       Math.max(Math.ceil(origin[k] * 100 - 1e-6), cm(value)),
     ) / 100;
   return packPoints(points.map(([x, y]): Point => [within(x, 0), within(y, 1)]));
@@ -313,7 +312,7 @@ export function pack(scene: Scenario): Record<string, unknown> {
   };
 }
 
-export function unpack(data: Record<string, unknown>, name: (scene: Scenario) => Scenario): Scenario {
+export function unpack(data: Record<string, unknown>, name: (scene: GivenScenario) => Scenario): Scenario {
   const [x, y, width, height, resolution] = list(data["m"]);
   const bare = {
     version: 1 as const,

@@ -1,10 +1,10 @@
-/** Scenes in a link's hash: a version digit, then base64url of the deflated short form. */
 import { pack, unpack } from "./link-codec";
 import { checkScene } from "./files";
 import { bounded } from "./foreign";
 import { ensureIds } from "./model";
 import type { Scenario } from "./scenario";
 import { fitsLink } from "./large-scene";
+import { nth } from "./nth";
 
 const VERSION = "1";
 /** A few kilobytes can inflate to gigabytes; no link's scene needs more than this. */
@@ -17,7 +17,7 @@ export async function encodeScene(scene: Scenario): Promise<string> {
 
 /** Rejects with a sentence for people where the text is no scene. What follows an `&` is not about the scene. */
 export async function decodeScene(link: string): Promise<Scenario> {
-  const text = link.split("&", 1)[0]!;
+  const text = nth(link.split("&", 1), 0);
   if (!text.startsWith(VERSION)) throw new Error("This link was made by a version this page does not read.");
   let data: unknown;
   try {

@@ -1,7 +1,7 @@
 /** A parking lot from a form: rows of bays along aisles, columns and walls, a car at the entrance and a free bay for it. */
-import type { Obstacle, Pose, Slot, Vehicle, VehicleSpec } from "parkade";
+import type { Pose, Vehicle, VehicleSpec } from "parkade";
 import { fromPose, radians, type Point } from "./geometry";
-import type { Scenario } from "./scenario";
+import type { GivenObstacle, GivenSlot, Obstacle, Scenario, Slot } from "./scenario";
 import { fittingSize, leastSize } from "./slot-fit";
 import { openingOf, poseInSlot, slotCentre, slotOutline, type Entry, type SlotKind } from "./slots";
 import { vehicleOf } from "./vehicle";
@@ -171,7 +171,7 @@ export function buildLot(form: LotForm): Lot {
       slots,
       vehicle: sizes.vehicle,
       start,
-      goal: { slot: goal.id!, entry: entryOf(form, goal, sizes) },
+      goal: { slot: goal.id, entry: entryOf(form, goal, sizes) },
     },
   };
 }
@@ -263,7 +263,7 @@ interface Line {
 }
 
 /** Rows from the bottom: a wall, bays, their aisle, with bays on both sides more bays; whatever depth is left widens the aisles. */
-function rowsOf(form: LotForm, sizes: Sizes): { slots: Slot[]; obstacles: Obstacle[] } {
+function rowsOf(form: LotForm, sizes: Sizes): { slots: Slot[]; obstacles: GivenObstacle[] } {
   const aisle = aisleOf(form, sizes),
     lines: Line[] = [],
     walls: number[] = [];
@@ -295,7 +295,11 @@ function rowLeft(form: LotForm, { width, cross, rowLength }: Sizes): number {
   return (wayOf(form) > 0 ? cross : 0) + (width - cross - rowLength) / 2;
 }
 
-function rowOn(form: LotForm, sizes: Sizes, { y, heading }: Line): { slots: Omit<Slot, "id">[]; columns: Obstacle[] } {
+function rowOn(
+  form: LotForm,
+  sizes: Sizes,
+  { y, heading }: Line,
+): { slots: Omit<Slot, "id">[]; columns: GivenObstacle[] } {
   const { bay } = sizes,
     way = wayOf(form),
     step = openingOf(bay),
@@ -307,7 +311,7 @@ function rowOn(form: LotForm, sizes: Sizes, { y, heading }: Line): { slots: Omit
   const from = rowLeft(form, sizes) + (leans < 0 ? skewOf(bay) : 0),
     mouths = sizes.rowLength - skewOf(bay);
   const at = (along: number): number => (way > 0 ? from + along : from + mouths - along);
-  const slotAt = (along: number, width: number, length: number): Slot => ({
+  const slotAt = (along: number, width: number, length: number): GivenSlot => ({
     kind: bay.kind,
     x: at(along),
     y,
@@ -316,8 +320,8 @@ function rowOn(form: LotForm, sizes: Sizes, { y, heading }: Line): { slots: Omit
     length,
     ...leaning,
   });
-  const slots: Slot[] = [],
-    columns: Obstacle[] = [];
+  const slots: GivenSlot[] = [],
+    columns: GivenObstacle[] = [];
   let along = 0;
   for (let i = 0; i < form.count; i++) {
     if (form.every > 0 && i > 0 && i % form.every === 0) {
@@ -338,7 +342,7 @@ function rowOn(form: LotForm, sizes: Sizes, { y, heading }: Line): { slots: Omit
 }
 
 /** Ends of thick walls reach half their thickness further. */
-function wallAt(form: LotForm, sizes: Sizes, y: number): Obstacle {
+function wallAt(form: LotForm, sizes: Sizes, y: number): GivenObstacle {
   const left = rowLeft(form, sizes),
     cap = form.wall / 2;
   return {
@@ -351,7 +355,7 @@ function wallAt(form: LotForm, sizes: Sizes, y: number): Obstacle {
   };
 }
 
-const named = (obstacle: Obstacle, i: number): Obstacle => ({
+const named = (obstacle: GivenObstacle, i: number): Obstacle => ({
   ...obstacle,
   id: obstacle.type === "wall" ? `wall-${i + 1}` : `column-${i + 1}`,
 });

@@ -1,8 +1,8 @@
 /** The scene as the page edits it: every edit gives a new scene and leaves the old one as it was. */
 import { thingsOf } from "./selection";
-import type { CostArea, Goal, GoalSet, MovingObstacle, Obstacle, Pose, Slot, VehicleSpec } from "parkade";
+import type { Goal, GoalSet, Pose, VehicleSpec } from "parkade";
 import { wrapAngle, type Point } from "./geometry";
-import type { Scenario } from "./scenario";
+import type { CostArea, GivenObstacle, GivenScenario, MovingObstacle, Obstacle, Scenario, Slot } from "./scenario";
 import { slotOutline, parkedPose, poseInSlot, type Entry } from "./slots";
 import type { Shape } from "./shapes";
 import { vehicleOf, type ResolvedVehicle } from "./vehicle";
@@ -23,27 +23,30 @@ export function nextId(scene: Scene, prefix: string): string {
 }
 
 /** The scene with an id on every obstacle and slot; the same object where nothing is missing. */
-export function ensureIds(scene: Scene): Scene {
+export function ensureIds(scene: GivenScenario): Scene {
   const seen = new Set<string>();
   const keep = (id: string | undefined): boolean => id !== undefined && !seen.has(id) && seen.add(id) !== undefined;
   const all = thingsOf(scene);
   const missing = new Set<object>(all.filter((thing) => !keep(thing.id)));
-  if (missing.size === 0 && scene.obstacles && scene.slots) return scene;
+  const hasName = <T extends object>(one: T): one is T & { id: string } => !missing.has(one);
+  const isReady = (one: GivenScenario): one is Scene => missing.size === 0 && !!one.obstacles && !!one.slots;
+  if (isReady(scene)) return scene;
   const last = new Map<string, number>();
-  const name = <T extends { id?: string }>(thing: T, prefix: string): T => {
-    if (!missing.has(thing)) return thing;
+  const name = <T extends object>(thing: T, prefix: string): T & { id: string } => {
+    if (hasName(thing)) return thing;
     let n = (last.get(prefix) ?? 0) + 1;
     while (seen.has(`${prefix}-${n}`)) n++;
     last.set(prefix, n);
     seen.add(`${prefix}-${n}`);
     return { ...thing, id: `${prefix}-${n}` };
   };
+  const { obstacles = [], slots = [], costs, moving, ...rest } = scene;
   return {
-    ...scene,
-    obstacles: (scene.obstacles ?? []).map((obstacle) => name(obstacle, obstacle.type)),
-    slots: (scene.slots ?? []).map((slot) => name(slot, "slot")),
-    ...(scene.costs ? { costs: scene.costs.map((one) => name(one, "cost")) } : {}),
-    ...(scene.moving ? { moving: scene.moving.map((one) => name(one, "moving")) } : {}),
+    ...rest,
+    obstacles: obstacles.map((obstacle) => name(obstacle, obstacle.type)),
+    slots: slots.map((slot) => name(slot, "slot")),
+    ...(costs && { costs: costs.map((one) => name(one, "cost")) }),
+    ...(moving && { moving: moving.map((one) => name(one, "moving")) }),
   };
 }
 
@@ -151,12 +154,12 @@ function tidy(pose: Pose): Pose {
 }
 const round = (value: number): number => Math.round(value * 1000) / 1000;
 
-export function addObstacle<T extends Obstacle>(scene: Scene, obstacle: T): { scene: Scene; id: string } {
+export function addObstacle(scene: Scene, obstacle: GivenObstacle): { scene: Scene; id: string } {
   const id = nextId(scene, obstacle.type);
   return { scene: { ...scene, obstacles: [...(scene.obstacles ?? []), { ...obstacle, id }] }, id };
 }
 
-export function updateObstacle(scene: Scene, id: string, next: Obstacle): Scene {
+export function updateObstacle(scene: Scene, id: string, next: GivenObstacle): Scene {
   return { ...scene, obstacles: (scene.obstacles ?? []).map((o) => (o.id === id ? { ...next, id } : o)) };
 }
 

@@ -4,3 +4,6 @@ export function nth<Value>(list: ArrayLike<Value>, place: number): Value {
   if (value === undefined) throw new RangeError(`no value ${place} in a list of ${list.length}`);
   return value;
 }
+
+/** The value at the end of a list that is not empty. */
+export const lastIn = <Value>(list: ArrayLike<Value>): Value => nth(list, list.length - 1);

@@ -1,8 +1,7 @@
-/** Drawn roads: a line with rounded corners and what lies beside it. The planners' module does the same exactly. */
 import type { Road } from "parkade";
 import { distance, towards, wrapAngle, type Point } from "./geometry";
 import { halfOf } from "./road-width";
-import { nth } from "./nth";
+import { lastIn, nth } from "./nth";
 
 export const RADIUS = 20;
 /** The inner edge of a bend has at least this radius, metres. */
@@ -62,7 +61,7 @@ export function placesOf(road: Road): Place[] {
       });
     }
   });
-  const last = points.at(-1)!;
+  const last = lastIn(points);
   return [...places, { at: last, heading: towards(points.at(-2)!, last) }];
 }
 

@@ -2,9 +2,9 @@
 import { boxOf, distance, fromPose, type Box, type Point } from "./geometry";
 import { slotOutline } from "./slots";
 import { cornersOf } from "./shapes";
-import type { Scenario } from "./scenario";
+import type { Obstacle, Scenario, Slot } from "./scenario";
 import { footprint, vehicleOf } from "./vehicle";
-import type { Obstacle, Pose, Slot, Vehicle } from "parkade";
+import type { Pose, Vehicle } from "parkade";
 import { nth } from "./nth";
 
 export interface SceneChanges {

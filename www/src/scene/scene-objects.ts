@@ -1,6 +1,6 @@
 /** Obstacles, slots and moving obstacles by their ids, whatever they are. */
 import { thingsOf, type Selection } from "./selection";
-import type { CostArea, MovingObstacle, Obstacle, Slot } from "parkade";
+import type { CostArea, MovingObstacle, Obstacle, Slot } from "./scenario";
 import type { Run } from "./cells";
 import {
   addMoving,
@@ -48,7 +48,7 @@ export function selectionOf(scene: Scene, ids: readonly string[]): Selection {
   return found && { kind: found.kind, id: ids[0]! };
 }
 
-export const allIds = (scene: Scene): string[] => thingsOf(scene).map((one) => one.id!);
+export const allIds = (scene: Scene): string[] => thingsOf(scene).map((one) => one.id);
 
 /** Corners of a thing; of brushed cells those of their extent. */
 export function outlineOfThing(scene: Scene, id: string): Point[] {

@@ -1,5 +1,6 @@
 /** How large a slot has to be for a car, and rows that are made so large. */
-import type { Slot, Vehicle } from "parkade";
+import type { Vehicle } from "parkade";
+import type { Slot } from "./scenario";
 import { findSlot, resolve, updateSlot, type Scene } from "./model";
 import { boxOf, distance, intoPose, wrapAngle, type Box, type Point } from "./geometry";
 import { openingOf, slotAngle, slotOutline, type SlotKind, type SlotShape } from "./slots";
@@ -64,7 +65,7 @@ export function rowOf(scene: Scene, id: string): Slot[] {
 
 /** The scene with the whole rows of these slots on the other side of their mouths, so that the aisle changes sides. */
 export function turnRows(scene: Scene, ids: readonly string[]): Scene {
-  const row = new Set(ids.flatMap((id) => rowOf(scene, id).map((slot) => slot.id!)));
+  const row = new Set(ids.flatMap((id) => rowOf(scene, id).map((slot) => slot.id)));
   return [...row].reduce(
     (next, id) => updateSlot(next, id, { heading: wrapAngle(findSlot(scene, id)!.heading + Math.PI) }),
     scene,
@@ -77,7 +78,7 @@ export function fitRows(scene: Scene, ids: readonly string[]): Scene {
   return ids.reduce((next, id) => {
     if (done.has(id)) return next;
     const row = rowOf(next, id);
-    for (const slot of row) done.add(slot.id!);
+    for (const slot of row) done.add(slot.id);
     return fitRow(next, row);
   }, scene);
 }

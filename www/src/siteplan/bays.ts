@@ -1,4 +1,3 @@
-/** Bays of a plan: outlines of four corners, or the parallel lines between them. */
 import type { SitePlanLine } from "parkade/siteplan";
 import type { Slot } from "parkade";
 import { boxOf, distance, insidePolygon, towards, wrapAngle, type Box, type Point } from "../scene/geometry";
@@ -183,7 +182,7 @@ function likeNeighbours(quads: readonly Quad[], open: readonly number[], i: numb
   const quad = nth(quads, i),
     sides = sidesOf(quad),
     outOf = (one: Quad, side: number): Point => {
-      const [a, b] = sidesOf(one)[side]!,
+      const [a, b] = nth(sidesOf(one), side),
         [x, y] = middleOf(one);
       return [(a[0] + b[0]) / 2 - x, (a[1] + b[1]) / 2 - y];
     };

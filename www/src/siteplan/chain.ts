@@ -1,7 +1,6 @@
-/** Lines that meet at their ends as one. */
 import type { SitePlanLine } from "parkade/siteplan";
 import type { Point } from "../scene/geometry";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 /** Joins open lines whose ends are within `reach` where no third one meets them; such a line that comes back to its beginning is closed. */
 export function chained(lines: readonly SitePlanLine[], reach: number): SitePlanLine[] {
@@ -9,7 +8,7 @@ export function chained(lines: readonly SitePlanLine[], reach: number): SitePlan
   const ends = new Map<string, number[]>(),
     keyOf = ([x, y]: Point): string => `${Math.round(x / reach)} ${Math.round(y / reach)}`;
   open.forEach((points, i) => {
-    for (const end of [nth(points, 0), points.at(-1)!]) ends.set(keyOf(end), [...(ends.get(keyOf(end)) ?? []), i]);
+    for (const end of [nth(points, 0), lastIn(points)]) ends.set(keyOf(end), [...(ends.get(keyOf(end)) ?? []), i]);
   });
   const used = new Set<number>(),
     result: SitePlanLine[] = lines.filter((line) => line.closed);
@@ -19,10 +18,10 @@ export function chained(lines: readonly SitePlanLine[], reach: number): SitePlan
     return here.length === 1 && !used.has(nth(here, 0)) ? here[0] : undefined;
   };
   const extend = (points: Point[], own: number): void => {
-    for (let last = own, next = nextAt(points.at(-1)!, last); next !== undefined; next = nextAt(points.at(-1)!, last)) {
+    for (let last = own, next = nextAt(lastIn(points), last); next !== undefined; next = nextAt(lastIn(points), last)) {
       used.add(next);
       const more = nth(open, next),
-        isAhead = keyOf(nth(more, 0)) === keyOf(points.at(-1)!);
+        isAhead = keyOf(nth(more, 0)) === keyOf(lastIn(points));
       points.push(...(isAhead ? more : more.toReversed()).slice(1));
       last = next;
     }
@@ -34,7 +33,7 @@ export function chained(lines: readonly SitePlanLine[], reach: number): SitePlan
     extend(points, i);
     points.reverse();
     extend(points, i);
-    const closed = points.length > 3 && keyOf(nth(points, 0)) === keyOf(points.at(-1)!);
+    const closed = points.length > 3 && keyOf(nth(points, 0)) === keyOf(lastIn(points));
     if (closed) points.pop();
     result.push({ points, closed });
   });
@@ -45,7 +44,7 @@ export function chained(lines: readonly SitePlanLine[], reach: number): SitePlan
 export function straightened(points: readonly Point[], reach: number, closed: boolean): Point[] {
   const kept: Point[] = [];
   points.forEach((point, i) => {
-    const before = kept.at(-1) ?? (closed ? points.at(-1)! : null),
+    const before = kept.at(-1) ?? (closed ? lastIn(points) : null),
       next = points[i + 1] ?? (closed ? nth(points, 0) : null);
     if (before && next) {
       const dx = next[0] - before[0],

@@ -1,6 +1,5 @@
-/** Lines and outlines within a box. */
 import type { Box, Point } from "../scene/geometry";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 /** The pieces of a line within a box. */
 export function clippedLine(points: readonly Point[], box: Box): Point[][] {
@@ -9,7 +8,7 @@ export function clippedLine(points: readonly Point[], box: Box): Point[][] {
     const part = segmentIn(nth(points, i - 1), nth(points, i), box);
     if (!part) continue;
     const last = pieces.at(-1)?.at(-1);
-    if (last && last[0] === part[0][0] && last[1] === part[0][1]) pieces.at(-1)!.push(part[1]);
+    if (last && last[0] === part[0][0] && last[1] === part[0][1]) lastIn(pieces).push(part[1]);
     else pieces.push([...part]);
   }
   return pieces;

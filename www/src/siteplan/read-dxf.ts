@@ -1,10 +1,9 @@
-/** DXF in ASCII: lines, polylines, arcs, splines, solids and blocks of model space, by layer. */
 import type { SitePlan, SitePlanLine } from "parkade/siteplan";
 import { TAU, radians, type Point } from "../scene/geometry";
 import { after, bulged, circleArc, ellipseArc, IDENTITY, mapped, spline, type Affine } from "./curves";
 import { numberIn, numberOf, recordsOf, textIn, type DxfRecord } from "./dxf-groups";
 import { PlanBuilder, SitePlanError } from "./site-plan";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 /** Metres per unit by the header's `$INSUNITS`. */
 const UNITS: Record<number, number> = {
@@ -200,7 +199,7 @@ function lightPolyline(record: DxfRecord): SitePlanLine {
       if (x === null) throw new SitePlanError("LWPOLYLINE must have as many y as x", group.line);
       corners.push({ at: [x, numberOf(group)], bulge: 0 });
       x = null;
-    } else if (group.code === 42 && corners.length > 0) corners.at(-1)!.bulge = numberOf(group);
+    } else if (group.code === 42 && corners.length > 0) lastIn(corners).bulge = numberOf(group);
   }
   if (x !== null) throw new SitePlanError("LWPOLYLINE must have as many y as x", record.line);
   return withBulges(corners, (numberIn(record, 70, 0) & 1) === 1);

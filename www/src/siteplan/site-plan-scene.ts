@@ -1,4 +1,3 @@
-/** A scene from a site plan: what each layer is, and how large. */
 import type { Obstacle, Pose, Slot, VehicleSpec } from "parkade";
 import type { Role, SitePlan, SitePlanLine, SitePlanOptions, SitePlanScene } from "parkade/siteplan";
 import {
@@ -18,7 +17,7 @@ import { findBays, largestGroup, slotsOf, type Quad, type Segment } from "./bays
 import { chained, straightened } from "./chain";
 import { clippedLine, clippedPolygon } from "./clip";
 import { SitePlanError } from "./site-plan";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 export const ROLES = ["none", "wall", "kerb", "column", "building", "bay", "ground"] as const satisfies readonly Role[];
 
@@ -183,7 +182,7 @@ function put(
   solids.obstacles.push({ ...obstacle, id: `${role}-${solids.counts[role]}` });
   for (let i = 1; i < points.length; i++) solids.segments.push([nth(points, i - 1), nth(points, i)]);
   if (obstacle.type === "polygon") {
-    solids.segments.push([points.at(-1)!, nth(points, 0)]);
+    solids.segments.push([lastIn(points), nth(points, 0)]);
     solids.areas.push(points);
   }
 }

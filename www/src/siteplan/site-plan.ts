@@ -1,7 +1,6 @@
-/** A site plan read from a file: lines by layer, in the file's units, y up. */
 import type { SitePlan, SitePlanLine } from "parkade/siteplan";
 import type { Point } from "../scene/geometry";
-import { nth } from "../scene/nth";
+import { lastIn, nth } from "../scene/nth";
 
 export type SitePlanKind = SitePlan["kind"];
 
@@ -68,6 +67,6 @@ function withoutRepeats(points: readonly Point[], closed: boolean): Point[] {
   const isSame = (a: Point, b: Point): boolean =>
     Math.abs(a[0] - b[0]) + Math.abs(a[1] - b[1]) <= SAME * (1 + Math.abs(a[0]) + Math.abs(a[1]));
   const kept = points.filter((point, i) => i === 0 || !isSame(point, nth(points, i - 1)));
-  if (closed && kept.length > 1 && isSame(nth(kept, 0), kept.at(-1)!)) kept.pop();
+  if (closed && kept.length > 1 && isSame(nth(kept, 0), lastIn(kept))) kept.pop();
   return kept;
 }

@@ -1,7 +1,7 @@
-/** The steps of the planners without an open list: RRT draws cells, the genetic algorithm judges whole paths. */
 import type { Lang } from "../i18n/index";
 import { FATE, STEP, type FateName, type SearchReplay } from "../planning/search-replay";
 import { cost, placeOf, placeOfStep, say, type Key, type Role } from "./search-words";
+import { nth } from "../scene/nth";
 
 export type Sampling = "tree" | "candidates";
 
@@ -21,18 +21,18 @@ export const beginOf = (replay: SearchReplay): Key => {
 /** What such a step did, in a sentence or two. */
 export function sampleLine(lang: Lang, replay: SearchReplay, step: number): string {
   const { trace } = replay,
-    first = trace.first[step]!;
+    first = nth(trace.first, step);
   if (replay.kindOf(step) === STEP.drawn)
     return say(lang, "drawn", {
       place: placeOfStep(lang, replay, step),
-      cell: placeOf(lang, replay, 0, trace.targets[first]!),
-      d: cost(lang, replay, trace.h[step]!),
+      cell: placeOf(lang, replay, 0, nth(trace.targets, first)),
+      d: cost(lang, replay, nth(trace.h, step)),
     });
-  const legs = trace.first[step + 1]! - first,
+  const legs = nth(trace.first, step + 1) - first,
     blocked = blockedLegs(replay, step);
-  const values = { n: step + 1, f: cost(lang, replay, trace.f[step]!), blocked, legs };
+  const values = { n: step + 1, f: cost(lang, replay, nth(trace.f, step)), blocked, legs };
   if (blocked > 0) return say(lang, "candidate.blocked", values);
-  const isBest = trace.f.subarray(0, step).every((f, at) => f > trace.f[step]! || blockedLegs(replay, at) > 0);
+  const isBest = trace.f.subarray(0, step).every((f, at) => f > nth(trace.f, step) || blockedLegs(replay, at) > 0);
   return `${say(lang, "candidate.free", values)}${isBest ? ` ${say(lang, "candidate.best")}` : ""}`;
 }
 

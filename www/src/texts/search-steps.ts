@@ -1,9 +1,9 @@
-/** A recorded search in words: the event, the reasons of moves, the pseudocode and its current line. */
 import type { SearchTrace } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import { SAMPLING_CODE, beginOf, sampleFate, sampleLine, samplingOf } from "./sampling-steps";
 import { FATE, STEP, type FateName, type SearchReplay } from "../planning/search-replay";
 import { cost, placeOfStep, say, targetOf, type Key, type Role } from "./search-words";
+import { nth } from "../scene/nth";
 
 /** What the last step did, in one sentence; or, of single moves, what the last event did. */
 export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): string {
@@ -15,9 +15,9 @@ export function eventLine(lang: Lang, replay: SearchReplay, byMoves: boolean): s
   if (move >= 0) return `${side}${place} → ${targetOf(lang, replay, move)}: ${fateText(lang, replay, move)}`;
   const values = {
     place,
-    f: cost(lang, replay, trace.f[step]!),
-    g: cost(lang, replay, trace.g[step]!),
-    h: cost(lang, replay, trace.h[step]!),
+    f: cost(lang, replay, nth(trace.f, step)),
+    g: cost(lang, replay, nth(trace.g, step)),
+    h: cost(lang, replay, nth(trace.h, step)),
   };
   const expanded = (): string => say(lang, "expand", { ...values, why: whyOf(lang, replay, step) });
   switch (replay.kindOf(step)) {
@@ -68,17 +68,17 @@ const FATE_KEYS: Record<FateName, Key> = {
 export function fateText(lang: Lang, replay: SearchReplay, move: number): string {
   const fate = replay.fateOf(move),
     { trace } = replay;
-  const target = trace.targets[move]!,
+  const target = nth(trace.targets, move),
     sampled = sampleFate(replay, fate);
   if (sampled) return say(lang, sampled);
   if (fate === "blocked" && trace.kind === "poses")
     return say(lang, "fate.hit", {
-      thing: replay.nameOf(trace.obstacles[move]!),
-      length: number(lang, Math.abs(trace.arcs[2 * move + 1]!), 2),
+      thing: replay.nameOf(nth(trace.obstacles, move)),
+      length: number(lang, Math.abs(nth(trace.arcs, 2 * move + 1)), 2),
     });
   if (fate === "requeued")
     return say(lang, "fate.requeued", {
-      f: cost(lang, replay, trace.targetG[move]! + trace.targetH[move]! + trace.penalty),
+      f: cost(lang, replay, nth(trace.targetG, move) + nth(trace.targetH, move) + trace.penalty),
     });
   if (fate === "improved" || fate === "dearer") {
     const before =
@@ -131,11 +131,11 @@ function reachOf(trace: SearchTrace): 0 | 4 | 8 {
   const { width, nodes, targets, first } = trace;
   reach = 4;
   for (let step = 0; step < nodes.length && reach !== 0; step++) {
-    const x = nodes[step]! % width;
-    for (let move = first[step]!; move < first[step + 1]!; move++) {
-      const column = targets[move]! % width;
+    const x = nth(nodes, step) % width;
+    for (let move = nth(first, step); move < nth(first, step + 1); move++) {
+      const column = nth(targets, move) % width;
       const dx = Math.abs(column - x),
-        dy = Math.abs((targets[move]! - column - nodes[step]! + x) / width);
+        dy = Math.abs((nth(targets, move) - column - nth(nodes, step) + x) / width);
       if (dx > 1 || dy > 1) reach = 0;
       else if (dx + dy === 2 && reach === 4) reach = 8;
     }
@@ -206,11 +206,11 @@ function shapeOf({ trace, sides }: SearchReplay): Shape {
 /** True if some move leads farther than any neighbourhood has neighbours. */
 function isJumping({ width, nodes, targets, first }: SearchTrace): boolean {
   for (let step = 0; step < nodes.length; step++) {
-    const x = nodes[step]! % width,
-      y = (nodes[step]! - x) / width;
-    for (let move = first[step]!; move < first[step + 1]!; move++) {
-      const column = targets[move]! % width;
-      if (Math.abs(column - x) > 3 || Math.abs((targets[move]! - column) / width - y) > 3) return true;
+    const x = nth(nodes, step) % width,
+      y = (nth(nodes, step) - x) / width;
+    for (let move = nth(first, step); move < nth(first, step + 1); move++) {
+      const column = nth(targets, move) % width;
+      if (Math.abs(column - x) > 3 || Math.abs((nth(targets, move) - column) / width - y) > 3) return true;
     }
   }
   return false;

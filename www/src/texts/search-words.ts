@@ -1,9 +1,9 @@
-/** The debugger's catalogue, and costs and places as its sentences have them. */
 import type { Pose } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import messages from "../i18n/messages/debugger.json";
 import { words } from "../i18n/words";
 import type { SearchReplay } from "../planning/search-replay";
+import { nth } from "../scene/nth";
 
 export const say = words("debugger", messages);
 export type Key = Parameters<typeof say>[1];
@@ -23,12 +23,12 @@ export function placeOf(lang: Lang, replay: SearchReplay, side: number, node: nu
 
 /** The place of the node that a step took. */
 export const placeOfStep = (lang: Lang, replay: SearchReplay, step: number): string =>
-  placeOf(lang, replay, replay.sideOf(step), replay.trace.nodes[step]!);
+  placeOf(lang, replay, replay.sideOf(step), nth(replay.trace.nodes, step));
 
 /** Column and row of a move's target, or the pose that it leads to. */
 export function targetOf(lang: Lang, replay: SearchReplay, move: number): string {
   const pose = replay.poseAfter(move);
-  return pose ? poseText(lang, pose) : placeOf(lang, replay, 0, replay.trace.targets[move]!);
+  return pose ? poseText(lang, pose) : placeOf(lang, replay, 0, nth(replay.trace.targets, move));
 }
 
 function poseText(lang: Lang, { x, y, heading }: Pose): string {

@@ -88,10 +88,11 @@ export class BorderTool implements Tool {
     if (stopped !== press.stopped)
       bench.store.set({ message: stopped ? { tone: "warn", text: stopText(bench.store.state, room, inward) } : null });
     press.stopped = stopped;
-    const found = stopped && inward && room.inner.id !== null ? findThing(scene, room.inner.id) : null;
+    const { id } = room.inner,
+      found = stopped && inward && id !== null && findThing(scene, id);
     bench.show({
       border: { scene: press.next, hot: side, drags: true, canvas: bench.canvas },
-      ...(found ? { hot: { kind: found.kind, id: room.inner.id! } } : {}),
+      ...(found ? { hot: { kind: found.kind, id } } : {}),
     });
     keepFit(scene.map, press.next.map);
     // Very many cells follow when the drag ends.

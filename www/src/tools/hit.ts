@@ -1,6 +1,6 @@
 /** The thing under the pointer. */
 import type { Selection } from "../scene/selection";
-import type { MovingObstacle, Obstacle } from "parkade";
+import type { MovingObstacle, Obstacle } from "../scene/scenario";
 import { findMoving, resolve } from "../scene/model";
 import { distance, distanceToPolyline, insidePolygon, type Point } from "../scene/geometry";
 import { distanceToShape, rectangleCorners, verticesOf, vertexAt, type Shape } from "../scene/shapes";

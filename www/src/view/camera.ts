@@ -1,6 +1,6 @@
 /** The one map from metres to pixels, and what moves it. */
 import type { Plan, Pose, SceneGeometry } from "parkade";
-import type { Scenario } from "../scene/scenario";
+import type { GivenScenario, Scenario } from "../scene/scenario";
 import type { Camera, State } from "../store";
 import { played } from "../store/results";
 import { resolve } from "../scene/model";
@@ -147,7 +147,7 @@ export const STRIP = { top: LINE + 18, height: 56, room: LINE + 18 + 56 + 30 };
 /** Longer maps (metres) than this show a car as a dot. */
 const LONG = 200;
 
-export const isLong = ({ map: { width, height, resolution } }: Scenario): boolean =>
+export const isLong = ({ map: { width, height, resolution } }: GivenScenario): boolean =>
   Math.max(width, height) * resolution > LONG;
 
 /** The camera that shows at the middle of the canvas what `camera` shows at the middle of the part below `inset` pixels. */

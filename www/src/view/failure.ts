@@ -1,4 +1,3 @@
-/** The place at which a planner's answer fails, for the drawing, the words and the zoom: facts of the check and of the obstruction. */
 import type { Hit, Obstruction, Plan, Pose } from "parkade";
 import { overlapAt, type Overlap } from "../scene/overlap";
 import { boxOf, distance, fromPose, type Box, type Point } from "../scene/geometry";
@@ -65,7 +64,7 @@ function ofHit(scene: Scene, plan: Plan, hit: Hit, vehicle: ResolvedVehicle): Fa
   const touched = overlapAt(scene, hit, hit.pose, vehicle)?.shared ?? [];
   const at: Point = touched.length > 0 ? middle(touched) : bodyOf(hit.pose, vehicle);
   const last = Math.max(0, first - 1),
-    before = distancesOf(plan)[last]!,
+    before = nth(distancesOf(plan), last),
     from = poseAt(plan, last);
   const along = first === 0 ? 0 : before + distance([from.x, from.y], [hit.pose.x, hit.pose.y]);
   return { at, along, hit, overlap, box: around([hit.pose, ...(overlap ? [overlap.pose] : [])], vehicle) };
@@ -97,7 +96,7 @@ function ofTurn(plan: Plan, vehicle: ResolvedVehicle): Failure {
     pose = poseAt(plan, index);
   return {
     at: [pose.x, pose.y],
-    along: distancesOf(plan)[index]!,
+    along: nth(distancesOf(plan), index),
     hit: null,
     overlap: null,
     box: around([pose], vehicle),

@@ -1,10 +1,10 @@
-/** Bays by the moves that they take: a ramp that is ordered in lightness, with the number of moves on each. */
 import { boxOf, type Point } from "../../scene/geometry";
 import { slotOutline } from "../../scene/slots";
 import { bestRow, gradeOf, type BayCheck } from "../../store/bay-check";
 import { inPixels, polygonPath, toScreen, type Frame } from "../frame";
 import { hatchPattern } from "../hatch";
 import { labelFont, useFont } from "../text";
+import { nth } from "../../scene/nth";
 
 /** One move, two, three, more; on a light floor and on a dark one. */
 export const RAMP = {
@@ -22,7 +22,7 @@ const STALE = 0.5;
 const LEGIBLE = 11;
 
 const outlineOf = (frame: Frame, index: number): Point[] =>
-  slotOutline(frame.state.scene.slots![index]!).map((point) => toScreen(frame, point));
+  slotOutline(nth(frame.state.scene.slots!, index)).map((point) => toScreen(frame, point));
 
 export function drawBays(frame: Frame): void {
   const { bays, scene } = frame.state;
@@ -38,7 +38,7 @@ export function drawBays(frame: Frame): void {
     const path = polygonPath(outlineOf(frame, index)),
       grade = gradeOf(row);
     ctx.globalAlpha = bays.stale.has(index) ? STALE : 1;
-    ctx.fillStyle = grade === 0 ? colour["err-soft"] : RAMP[dark ? "dark" : "light"][grade - 1]!;
+    ctx.fillStyle = grade === 0 ? colour["err-soft"] : nth(RAMP[dark ? "dark" : "light"], grade - 1);
     ctx.fill(path);
     if (grade === 0) {
       ctx.fillStyle = hatchPattern(frame, colour.err, 6, 1.4);
@@ -101,12 +101,12 @@ function numbered(
   const text = grade === 0 ? "\u2715" : String(row.moves),
     scheme = dark ? "dark" : "light";
   if (occupied || grade === 0) {
-    ctx.fillStyle = grade === 0 ? colour.panel : RAMP[scheme][grade - 1]!;
+    ctx.fillStyle = grade === 0 ? colour.panel : nth(RAMP[scheme], grade - 1);
     ctx.beginPath();
     ctx.arc(x, y, 8, 0, 2 * Math.PI);
     ctx.fill();
   }
-  ctx.fillStyle = grade === 0 ? colour.err : INK[scheme][grade - 1]!;
+  ctx.fillStyle = grade === 0 ? colour.err : nth(INK[scheme], grade - 1);
   useFont(ctx, labelFont(frame, 600));
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";

@@ -1,4 +1,3 @@
-/** The moments of a drive that waits for a moving obstacle, as the parking paper's figure 16 names them, and a strip of their times. */
 import type { Encounter, Pose } from "parkade";
 import "../../i18n/later";
 import { translate } from "../../i18n/index";
@@ -6,7 +5,7 @@ import { boxAt, clockOf } from "../playback-time";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { labelFont, useFont } from "../text";
 import type { Point } from "../../scene/geometry";
-import { nth } from "../../scene/nth";
+import { lastIn, nth } from "../../scene/nth";
 
 export interface Mark {
   name: "A" | "B" | "C" | "D" | "S" | "W" | "E";
@@ -104,7 +103,7 @@ function strip(frame: Frame, { waits, t }: Encounter, marks: readonly Mark[]): v
   for (const [of, name, y] of rows) {
     const own = marks.filter((mark) => mark.of === of),
       from = nth(own, 0).t,
-      to = own.at(-1)!.t;
+      to = lastIn(own).t;
     ctx.fillStyle = colour.t2;
     ctx.fillText(name, 16, y + 4);
     line(frame, x(from), x(to), y, of === "box" ? colour.warn : colour.t1, 3);

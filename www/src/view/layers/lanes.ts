@@ -1,5 +1,6 @@
 /** Roads: each lane's floor, its edges and its middle; areas with a speed limit. */
-import type { Lane, Road } from "parkade";
+import type { Lane } from "parkade";
+import type { Road } from "../../scene/scenario";
 import type { Point } from "../../scene/geometry";
 import { beside, placesOf } from "../../scene/road";
 import { halfOf, laneWidthOf, lanesOf } from "../../scene/road-width";

@@ -1,5 +1,5 @@
 /** Painted cells: hatched, the more densely the dearer. */
-import type { CostArea } from "parkade";
+import type { CostArea } from "../../scene/scenario";
 import { cellPaths, type CellPaths } from "../outline";
 import { inMetres, inPixels, pixels, type Frame } from "../frame";
 import { hatchPattern } from "../hatch";

@@ -1,4 +1,3 @@
-/** A recorded search for a car on the map: poses reached, the one at hand, its arcs, the connection tried and where it hits. */
 import type { PlannerId, PoseTrace } from "parkade";
 import type { DrivenArc, FailedConnection } from "../../planning/failed-connections";
 import type { SearchReplay } from "../../planning/search-replay";
@@ -7,6 +6,7 @@ import { inMetres, inPixels, pixels, toScreen, type Frame } from "../frame";
 import { newPath } from "../surface";
 import { fade, plannerStyle } from "../tokens";
 import { drawHatchedPose } from "./collisions";
+import { nth } from "../../scene/nth";
 
 /** Half the side of a pose's mark, CSS pixels. */
 const MARK = 1.5;
@@ -27,13 +27,13 @@ export function drawPoseStep(
   drawReached(frame, replay, trace);
   const kept: DrivenArc[] = [],
     hit: DrivenArc[] = [];
-  for (let one = trace.first[step]!; one <= move; one++) {
+  for (let one = nth(trace.first, step); one <= move; one++) {
     const fate = replay.fateOf(one);
     if (fate === "kept" || fate === "improved") kept.push(of(one));
     if (fate === "blocked") hit.push(of(one));
   }
   const side = replay.sideOf(step),
-    node = trace.nodes[step]!,
+    node = nth(trace.nodes, step),
     led = replay.moveTo(side, node);
   // Arcs are hardly longer than the car: they lie on it.
   drawCar(frame, replay.poseOf(side, node)!, frame.resolved.vehicle, 0, startStyle(frame));
@@ -58,11 +58,11 @@ function drawReached(frame: Frame, replay: SearchReplay, { roots, poses }: PoseT
     const filled = newPath(),
       waiting = newPath();
     for (let node = 0; node < entry.length; node++) {
-      const at = entry[node]!;
+      const at = nth(entry, node);
       if (at === 0) continue;
       const [x, y] = toScreen(
         frame,
-        at < 3 ? [roots[side]!.x, roots[side]!.y] : [poses[3 * (at - 3)]!, poses[3 * (at - 3) + 1]!],
+        at < 3 ? [nth(roots, side).x, nth(roots, side).y] : [nth(poses, 3 * (at - 3)), nth(poses, 3 * (at - 3) + 1)],
       );
       if (x < 0 || y < 0 || x > view.width || y > view.height) continue;
       (closed[node] ? filled : waiting).rect(x - MARK, y - MARK, 2 * MARK, 2 * MARK);
@@ -105,11 +105,11 @@ function drawFailure(frame: Frame, failed: FailedConnection | null, planner: Pla
 /** A move's arc back from the pose that it leads to. */
 function arcOfMove({ poses, arcs }: PoseTrace, move: number): DrivenArc {
   return {
-    x: poses[3 * move]!,
-    y: poses[3 * move + 1]!,
-    heading: poses[3 * move + 2]!,
-    curvature: arcs[2 * move]!,
-    length: -arcs[2 * move + 1]!,
+    x: nth(poses, 3 * move),
+    y: nth(poses, 3 * move + 1),
+    heading: nth(poses, 3 * move + 2),
+    curvature: nth(arcs, 2 * move),
+    length: -nth(arcs, 2 * move + 1),
   };
 }
 

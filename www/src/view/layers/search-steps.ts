@@ -1,4 +1,3 @@
-/** A recorded search on the map: what is closed and open, the node at hand and its moves, costs and parents where there is room. */
 import type { SearchTrace } from "parkade";
 import { STEP, type SearchReplay } from "../../planning/search-replay";
 import { inPixels, toScreen, type Frame } from "../frame";
@@ -8,6 +7,7 @@ import { useFont } from "../text";
 import { screenToWorld } from "../camera";
 import { fade, parseColour } from "../tokens";
 import { drawMark } from "./search-marks";
+import { nth } from "../../scene/nth";
 
 /** Least sides of a cell, CSS pixels, for outlines, parents, f alone, and g and h beside it. */
 const OUTLINED = 5,
@@ -36,7 +36,7 @@ export class SearchStepsLayer {
     const { sides } = replay;
     this.order = sides.map(({ entry }) => new Int32Array(entry.length));
     trace.nodes.forEach((node, step) => {
-      this.order[replay.sideOf(step)]![node] = step;
+      nth(this.order, replay.sideOf(step))[node] = step;
     });
   }
 
@@ -83,7 +83,8 @@ export class SearchStepsLayer {
         if (entry[node] === 0) continue;
         const x = node % width,
           place = (height - 1 - (node - x) / width) * width + x;
-        if (closed[node]) words[place] = side === 1 ? back : RAMP_WORDS[(this.order[side]![node]! * perStep) | 0]!;
+        if (closed[node])
+          words[place] = side === 1 ? back : nth(RAMP_WORDS, (nth(nth(this.order, side), node) * perStep) | 0);
         else if (withOpen) words[place] = accent;
       }
     });
@@ -198,11 +199,11 @@ export class SearchStepsLayer {
     } = frame;
     inPixels(frame);
     const isCandidate = this.replay.kindOf(step) === STEP.candidate;
-    let [x, y] = this.middle(frame, trace.nodes[step]!);
+    let [x, y] = this.middle(frame, nth(trace.nodes, step));
     const here = [x, y] as const,
       half = Math.max(3, size / 2 - 1);
-    for (let one = trace.first[step]!; one <= move; one++) {
-      const target = trace.targets[one]!;
+    for (let one = nth(trace.first, step); one <= move; one++) {
+      const target = nth(trace.targets, one);
       if (target === trace.nodes[step]) continue;
       const at = this.middle(frame, target);
       if (isCandidate || Math.hypot(at[0] - x, at[1] - y) > size * 1.6) {

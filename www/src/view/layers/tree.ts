@@ -1,4 +1,3 @@
-/** How an answer came about. A grid planner's: its path's stages, and the risk field's potential. The hybrid search's: its arcs in order of expansion, reverse ones dotted, and the connections that hit something, dashed up to a cross. */
 import type { Trace } from "parkade";
 import { inMetres, inPixels, pixels, toScreen, type Frame, type Shown } from "../frame";
 import { RAMP_STOPS } from "../ramp";
@@ -7,6 +6,7 @@ import { expansionsShown } from "./heat";
 import { drawPotential } from "./potential";
 import { drawStages } from "./stages";
 import { newPath } from "../surface";
+import { nth } from "../../scene/nth";
 
 const FIELDS = 5;
 /** Connections drawn at once, evenly picked: thousands would be a carpet. */
@@ -60,7 +60,7 @@ export class TreeLayer {
     ctx.strokeStyle = colour.err;
     ctx.beginPath();
     for (let i = 0; i < hits.length; i += 2) {
-      const [x, y] = toScreen(frame, [hits[i]!, hits[i + 1]!]);
+      const [x, y] = toScreen(frame, [nth(hits, i), nth(hits, i + 1)]);
       ctx.moveTo(x - CROSS_PX, y - CROSS_PX);
       ctx.lineTo(x + CROSS_PX, y + CROSS_PX);
       ctx.moveTo(x - CROSS_PX, y + CROSS_PX);
@@ -80,7 +80,7 @@ export class TreeLayer {
       reverse = RAMP_STOPS.map(() => newPath());
     for (let i = 0; i < count; i++) {
       const arc = arcs.subarray(i * FIELDS, i * FIELDS + FIELDS);
-      addArc((arc[4]! < 0 ? reverse : forward)[Math.floor((i * RAMP_STOPS.length) / total)]!, arc);
+      addArc(nth(nth(arc, 4) < 0 ? reverse : forward, Math.floor((i * RAMP_STOPS.length) / total)), arc);
     }
     this.built = { trace, count, forward, reverse, ...shotsUpTo(trace, count) };
     return this.built;
@@ -89,7 +89,7 @@ export class TreeLayer {
 
 function strokeBands({ ctx }: Frame, bands: readonly Path2D[]): void {
   bands.forEach((band, i) => {
-    ctx.strokeStyle = RAMP_STOPS[i]!;
+    ctx.strokeStyle = nth(RAMP_STOPS, i);
     ctx.stroke(band);
   });
 }
@@ -102,10 +102,10 @@ function shotsUpTo({ shots }: Arcs, count: number): Pick<Built, "shots" | "hits"
     step = Math.max(1, tried / MOST_SHOTS);
   for (let k = tried - 1; k >= 0; k -= step) {
     const i = Math.round(k),
-      from = shots.first[i]!,
+      from = nth(shots.first, i),
       to = shots.first[i + 1] ?? shots.arcs.length / FIELDS;
     for (let at = from; at < to; at++) addArc(path, shots.arcs.subarray(at * FIELDS, at * FIELDS + FIELDS));
-    hits.push(shots.hits[3 * i]!, shots.hits[3 * i + 1]!);
+    hits.push(nth(shots.hits, 3 * i), nth(shots.hits, 3 * i + 1));
   }
   return { shots: path, hits };
 }
