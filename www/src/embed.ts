@@ -4,6 +4,8 @@
  */
 import { ParkadePlayground } from "./element/loader";
 import { ATTRIBUTES, EVENTS, METHODS, SETTABLE } from "./element/public-api";
+import { messageOf } from "./i18n/said";
+import { fieldsOf } from "./scene/keys";
 
 const wanted = new URLSearchParams(location.hash.slice(1));
 /** Whom to talk to: the page around, or those that it names; messages of others are not heard. */
@@ -41,7 +43,7 @@ function tell(message: { type: string; [key: string]: unknown }): void {
 
 /** Scenes, plans and figures are plain data; what is not stays here. */
 function portable(detail: unknown): Record<string, unknown> {
-  return typeof detail === "object" && detail !== null ? (structuredClone(detail) as Record<string, unknown>) : {};
+  return structuredClone(fieldsOf(detail));
 }
 
 /** As high as its width asks for: the frame takes this height when the page around sets it. */
@@ -65,7 +67,7 @@ async function hear({ origin, data, source }: MessageEvent<Asked | null>): Promi
   try {
     tell({ type: "parkade:reply", id, result: await answer(name, data) });
   } catch (error) {
-    tell({ type: "parkade:reply", id, error: error instanceof Error ? error.message : String(error) });
+    tell({ type: "parkade:reply", id, error: messageOf(error) });
   }
 }
 
@@ -73,13 +75,11 @@ function answer(name: string, { args, value }: Asked): unknown {
   const methods: readonly string[] = [...METHODS, "dismissPoster"],
     settable: readonly string[] = SETTABLE;
   if (methods.includes(name))
-    return (element as unknown as Record<string, (...given: unknown[]) => unknown>)[name]!(
-      ...(Array.isArray(args) ? args : []),
-    );
-  if (settable.includes(name)) return void ((element as unknown as Record<string, unknown>)[name] = value);
+    return Reflect.apply(Reflect.get(element, name), element, Array.isArray(args) ? args : []);
+  if (settable.includes(name)) return void Reflect.set(element, name, value);
   throw new Error(`there is no parkade:${name}`);
 }
 
 function complain(error: unknown): void {
-  tell({ type: "parkade:error", code: "error.link", message: error instanceof Error ? error.message : String(error) });
+  tell({ type: "parkade:error", code: "error.link", message: messageOf(error) });
 }

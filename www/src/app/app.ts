@@ -14,6 +14,7 @@ import { LinkSync, type LinkView } from "./link-sync";
 import { persistently } from "./retry";
 import { Player } from "./player";
 import type { ValueError } from "./schema";
+import { messageOf } from "../i18n/said";
 
 /** Planners shown for a road, the road planner first. */
 const ROAD_PLANNERS: State["planners"] = ["cost-map", "eight", "risk-field", "hybrid"];
@@ -374,12 +375,12 @@ const requestIdle = (run: () => void): unknown =>
 
 /** The error's words, closed by a full stop so that more can follow. */
 export function sentence(error: unknown): string {
-  const text = (error instanceof Error ? error.message : String(error)).trim();
+  const text = messageOf(error).trim();
   return /[.!?。]$/.test(text) ? text : `${text}.`;
 }
 
 /** The same, with what a translation is made of. */
-export const refusal = (error: unknown): Said => ({ ...(error as Partial<Said>), message: sentence(error) });
+export const refusal = (error: unknown): Said => ({ ...(error instanceof Error && error), message: sentence(error) });
 
 export function download(blob: Blob, name: string): void {
   const link = document.createElement("a");

@@ -140,7 +140,7 @@ async function offer(app: Drawn, own: string): Promise<void> {
 
 function read(key: string, { catalog }: Drawn): Kept | null {
   try {
-    const { at, scene } = JSON.parse(localStorage.getItem(key) ?? "") as Kept;
+    const { at, scene }: Kept = JSON.parse(localStorage.getItem(key) ?? "");
     return Math.abs(at) <= LAST_DATE ? { at, scene: catalog!.checked(scene) } : null;
   } catch {
     return null;

@@ -1,7 +1,7 @@
 /** Rows of the help on keys: the commands, and what keys do beside them. */
 import type { MessageKey } from "../i18n/index";
-import type { ToolId } from "../store";
 import { TOOLS, type CommandId } from "./commands";
+import { keysOf } from "../scene/keys";
 
 /** Commands, or what else keys do. */
 export type Entry = CommandId[] | [title: MessageKey, ...chords: string[]];
@@ -44,7 +44,7 @@ const VIEW: readonly Entry[] = [
 ];
 /** The rows of the help, by its headings. */
 export const SECTIONS = {
-  "keys.tools": (Object.keys(TOOLS) as ToolId[]).map((id): Entry => [id]),
+  "keys.tools": keysOf(TOOLS).map((id): Entry => [id]),
   "keys.edit": EDIT,
   "keys.view": VIEW,
 };

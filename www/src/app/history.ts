@@ -72,7 +72,7 @@ export function encodeHistory({ past, scene, future }: History, hash: string): s
 
 /** Throws where the text is damaged; `checked` throws what is wrong with a scene. */
 export function decodeHistory(text: string, checked: (scene: Scene) => Scene): History & { hash: string } {
-  const { hash, at, scenes, parts } = JSON.parse(text) as Kept;
+  const { hash, at, scenes, parts }: Kept = JSON.parse(text);
   const part = (number: number): unknown => {
     if (!Number.isInteger(number) || !(number in parts)) throw new RangeError(`parts: has no ${number}`);
     return parts[number];

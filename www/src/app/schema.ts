@@ -6,6 +6,7 @@ import { words } from "../i18n/words";
 import type { Scenario } from "../scene/scenario";
 import { ALL_LAYERS, LAYER_PRESETS } from "../store/layer-sets";
 import { cameraLimits } from "../view/camera";
+import { fieldsOf } from "../scene/keys";
 
 const say = words("rule", messages);
 
@@ -115,12 +116,11 @@ const listOf = (each: Rule, least: number, most: number): Rule => {
     least,
     most,
   });
-  const distinct = rule((value) => new Set(value as unknown[]).size === (value as unknown[]).length, {
-    rule: "distinct",
-  });
+  const listed = (value: unknown): unknown[] => (Array.isArray(value) ? value : []);
+  const distinct = rule((value) => new Set(listed(value)).size === listed(value).length, { rule: "distinct" });
   return (value, field) =>
     size(value, field) ??
-    firstFault((value as unknown[]).map((one, i) => each(one, `${field}[${i}]`))) ??
+    firstFault(listed(value).map((one, i) => each(one, `${field}[${i}]`))) ??
     distinct(value, field);
 };
 
@@ -130,10 +130,10 @@ export const objectOf = (fields: Record<string, Rule>, optional: readonly string
   const known = oneOf(Object.keys(fields));
   return (value, field) =>
     isObject(value, field) ??
-    firstFault(Object.keys(value as object).map((key) => known(key, `${field}.${key}`))) ??
+    firstFault(Object.keys(fieldsOf(value)).map((key) => known(key, `${field}.${key}`))) ??
     firstFault(
       Object.entries(fields).map(([key, one]) => {
-        const inner = (value as Record<string, unknown>)[key];
+        const inner = fieldsOf(value)[key];
         return inner === undefined && optional.includes(key) ? null : one(inner, `${field}.${key}`);
       }),
     );

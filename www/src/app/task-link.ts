@@ -25,6 +25,9 @@ export function encodeTask({ text, hidden, step, large }: Task): string {
     .replaceAll("=", "");
 }
 
+const isStep = (value: unknown): value is number =>
+  typeof value === "number" && Number.isInteger(value) && value >= 0 && value <= MOST_EVENTS;
+
 /** The task of an address; null where there is none, or none that makes sense. */
 export function taskIn(hash: string): Task | null {
   const text = hash.split(MARK)[1]?.split("&", 1)[0];
@@ -32,13 +35,9 @@ export function taskIn(hash: string): Task | null {
   try {
     const binary = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
     const bytes = Uint8Array.from(binary, (c) => c.charCodeAt(0));
-    const [task, hidden, step, large] = JSON.parse(
-      new TextDecoder("utf-8", { fatal: true }).decode(bytes),
-    ) as unknown[];
-    const isStep =
-      step === null || (Number.isInteger(step) && (step as number) >= 0 && (step as number) <= MOST_EVENTS);
-    if (typeof task !== "string" || task.length > LONGEST_TASK || !isStep) return null;
-    return { text: task, hidden: hidden === 1, step: step as number | null, large: large === 1 };
+    const [task, hidden, step, large]: unknown[] = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
+    if (typeof task !== "string" || task.length > LONGEST_TASK || !(step === null || isStep(step))) return null;
+    return { text: task, hidden: hidden === 1, step, large: large === 1 };
   } catch {
     return null;
   }

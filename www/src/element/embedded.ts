@@ -13,6 +13,8 @@ import { Playground } from "./playground";
 import { plain, SceneOpening } from "./scene-opening";
 import { check, faultOfAttribute, RULES, type Known } from "../app/schema";
 import { nth } from "../scene/nth";
+import { hostOf } from "../panels/beside";
+import { keysOf } from "../scene/keys";
 
 export { colours } from "./colours";
 
@@ -84,8 +86,7 @@ export class Embedded extends SceneOpening {
   override connectedCallback(): void {
     this.viewing = this.editable === null || this.editable === "false";
     this.app.folders = { worker: this.workerUrl || null, wasm: this.wasmUrl || null };
-    const { host } = this.getRootNode() as ShadowRoot;
-    this.unwatch = watchScheme(host as HTMLElement, (scheme) => {
+    this.unwatch = watchScheme(hostOf(this), (scheme) => {
       this.scheme = scheme;
       this.paint();
     });
@@ -111,7 +112,7 @@ export class Embedded extends SceneOpening {
 
   set params(planners: Scene["planners"]) {
     this.later(async () => {
-      const ids = Object.keys(planners ?? {}) as PlannerId[],
+      const ids = keysOf(planners ?? {}),
         known = this.app.catalog!.planners;
       if (!ids.every((id) => known.some((info) => info.id === id))) await this.app.complete();
       check(planners ?? {}, RULES.params(this.known), "params");
@@ -222,8 +223,7 @@ export class Embedded extends SceneOpening {
 
   /** Writes the scheme where the colours are chosen by it. */
   private paint(): void {
-    const { host } = this.getRootNode() as ShadowRoot;
-    (host as HTMLElement).dataset["scheme"] = this.theme === "auto" ? this.scheme : this.theme;
+    hostOf(this).dataset["scheme"] = this.theme === "auto" ? this.scheme : this.theme;
     this.themeChanged();
   }
 

@@ -52,7 +52,8 @@ function schemeAround(element: HTMLElement): Scheme {
 
 /** From the parent outwards, out of shadow roots too. */
 function ancestors(element: Element): Element[] {
-  const outer = element.parentElement ?? (element.getRootNode() as Partial<ShadowRoot>).host;
+  const root = element.getRootNode(),
+    outer = element.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
   return outer ? [outer, ...ancestors(outer)] : [];
 }
 

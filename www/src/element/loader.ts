@@ -59,9 +59,9 @@ export class ParkadePlayground extends Base {
     // What was set before this class was there hides its accessors.
     for (const name of SETTABLE) {
       if (!Object.hasOwn(this, name)) continue;
-      const value = (this as Record<string, unknown>)[name];
-      delete (this as Record<string, unknown>)[name];
-      (this as Record<string, unknown>)[name] = value;
+      const value: unknown = Reflect.get(this, name);
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
     }
   }
 
@@ -146,7 +146,7 @@ export class ParkadePlayground extends Base {
       follow();
     };
     this.root.append(inner);
-    for (const [name, value] of this.early) (inner as unknown as Record<string, unknown>)[name] = value;
+    for (const [name, value] of this.early) Reflect.set(inner, name, value);
     this.early.clear();
     return inner;
   }
@@ -248,21 +248,21 @@ export class ParkadePlayground extends Base {
             // A scene that is set mends what a wrong one broke.
             if (name !== "setScene") await inner.ready;
             else await inner.ready.catch(() => undefined);
-            return (inner[name as Name] as (...given: unknown[]) => unknown)(...args);
+            return Reflect.apply(inner[name], inner, args);
           });
         },
       });
     }
     const read = (name: string) =>
       function get(this: ParkadePlayground): unknown {
-        return this.early.get(name) ?? (this.inner as unknown as Record<string, unknown> | null)?.[name];
+        return this.early.get(name) ?? (this.inner ? Reflect.get(this.inner, name) : undefined);
       };
     for (const name of READABLE) Object.defineProperty(prototype, name, { get: read(name) });
     for (const name of SETTABLE) {
       Object.defineProperty(prototype, name, {
         get: read(name),
         set(this: ParkadePlayground, value: unknown) {
-          if (this.inner) (this.inner as unknown as Record<string, unknown>)[name] = value;
+          if (this.inner) Reflect.set(this.inner, name, value);
           else this.early.set(name, value);
         },
       });

@@ -13,6 +13,8 @@ import { follow, PARTS } from "./parts";
 import "../panels/notices";
 import "../panels/stage";
 import "../panels/timeline";
+import type { On } from "../panels/inputs";
+import { messageOf } from "../i18n/said";
 
 export const FIRST_SCENE = "perpendicular";
 /**
@@ -305,7 +307,7 @@ export class Playground extends LitElement {
       this.becomeReady();
       this.emit("ready", {});
     } catch (error) {
-      this.app.refuse("app.unsupported", { reason: error instanceof Error ? error.message : String(error) });
+      this.app.refuse("app.unsupported", { reason: messageOf(error) });
     }
   }
 
@@ -350,7 +352,7 @@ export class Playground extends LitElement {
   private answer(request: Request, scale = 1): void {
     if (request === "fold") this.folded = !this.folded;
     else if (request === "inspect") this.inspecting = !this.inspecting;
-    else if (request === "open") this.fileInput?.click();
+    else if (request === "open") this.renderRoot.querySelector<HTMLElement>(".file")?.click();
     else if (request === "hints") void import("../panels/hints");
     else
       void (request === "png"
@@ -373,8 +375,7 @@ export class Playground extends LitElement {
     void this.ask(({ openFiles }) => openFiles(this.renderRoot, list));
   }
 
-  private readonly onFile = ({ target }: Event): void => {
-    const input = target as HTMLInputElement;
+  private readonly onFile = ({ currentTarget: input }: On<HTMLInputElement>): void => {
     this.openFiles(input.files);
     input.value = "";
   };
@@ -390,10 +391,6 @@ export class Playground extends LitElement {
     this.dropping = false;
     this.openFiles(event.dataTransfer?.files);
   };
-
-  private get fileInput(): HTMLInputElement | null {
-    return this.renderRoot.querySelector(".file");
-  }
 
   protected emit(name: string, detail: object): void {
     this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));

@@ -1,8 +1,9 @@
-import type { ParkadeError } from "parkade";
 import type { Scene } from "../store";
 import { sentence } from "../app/app";
 import { Playground } from "./playground";
 import { oneOf, ValueError } from "../app/schema";
+import { messageOf } from "../i18n/said";
+import { fieldsOf } from "../scene/keys";
 
 /** Events of other elements have these names too, and pages listen for them further out; `error` would reach `window.onerror`. */
 const OWN_EVENTS: readonly string[] = ["error", "select"];
@@ -54,7 +55,7 @@ export abstract class SceneOpening extends Playground {
   /** Says why there is no first scene, unless all it takes is the whole module. */
   private async failed(error: unknown): Promise<void> {
     let cause = error;
-    if ((error as Partial<ParkadeError>).code === "unknown-scenario") {
+    if (fieldsOf(error)["code"] === "unknown-scenario") {
       if (!this.store.state.complete)
         return this.app.complete().then(
           () => this.begin(),
@@ -108,15 +109,8 @@ export abstract class SceneOpening extends Playground {
 
   /** Nothing has changed, and this is why: which field, what it was, and what it must be. */
   protected emitRefusal(error: unknown): void {
-    const {
-      field = "",
-      value,
-      rule = "",
-      path = field,
-      code = "value",
-      message,
-    } = error as Partial<ValueError> & Partial<ParkadeError>;
-    this.emit("error", { code, field: path || field, value, rule, message });
+    const { field = "", value, rule = "", path = field, code = "value" } = fieldsOf(error);
+    this.emit("error", { code, field: path || field, value, rule, message: messageOf(error) });
   }
 
   protected override emit(name: string, detail: object): void {
@@ -129,9 +123,9 @@ export abstract class SceneOpening extends Playground {
     if (this.src) return fetched(this.src);
     if (this.inline === null) return null;
     try {
-      return JSON.parse(this.inline) as Scene;
+      return JSON.parse(this.inline);
     } catch (error) {
-      throw new ValueError({ field: "scene", value: this.inline, rule: "scene", why: (error as Error).message });
+      throw new ValueError({ field: "scene", value: this.inline, rule: "scene", why: messageOf(error) });
     }
   }
 }
@@ -142,12 +136,14 @@ async function fetched(src: string): Promise<Scene> {
   try {
     answer = await fetch(new URL(src, document.baseURI));
   } catch (error) {
-    throw refuse((error as Error).message);
+    throw refuse(messageOf(error));
   }
   if (!answer.ok) throw refuse(`the server answered ${answer.status}`);
-  return answer.json().catch((error: unknown) => {
-    throw refuse((error as Error).message);
-  }) as Promise<Scene>;
+  try {
+    return await answer.json();
+  } catch (error) {
+    throw refuse(messageOf(error));
+  }
 }
 
 /** Frameworks wrap data in proxies, which no worker can be sent. */

@@ -5,3 +5,6 @@ export interface Said {
   template?: string;
   values?: readonly string[];
 }
+
+/** The words of whatever was thrown. */
+export const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));

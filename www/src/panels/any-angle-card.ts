@@ -5,6 +5,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
+import { messageOf } from "../i18n/said";
 
 const say = wordsAt("yardstick");
 
@@ -67,7 +68,7 @@ export class Yardstick extends AppElement {
       asked.metres = await this.helper.call("anyAngle", { planner, scene });
     } catch (error) {
       if (this.asked === asked) this.asked = null;
-      this.app.store.set({ message: { tone: "err", text: (error as Error).message } });
+      this.app.store.set({ message: { tone: "err", text: messageOf(error) } });
     }
     this.requestUpdate();
   }

@@ -100,7 +100,7 @@ function rangeOf(state: State, lines: readonly Line[], quantity: Quantity): read
     const limit = degrees(lockOf(state));
     return [-limit, limit];
   }
-  const [low, high] = lines.reduce(
+  const [low, high] = lines.reduce<[number, number]>(
     ([least, most], line) => {
       const values = seriesOf(line, quantity)?.values;
       if (!values) return [least, most];
@@ -108,7 +108,7 @@ function rangeOf(state: State, lines: readonly Line[], quantity: Quantity): read
       return [Math.min(least, own), Math.max(most, ownMost)];
     },
     [0, 0],
-  ) as [number, number];
+  );
   if (quantity === "clearance") return [0, Math.max(0.5, high)];
   if (quantity === "speed") return [low, Math.max(LEAST.speed, high)];
   return [Math.min(-LEAST[quantity], low), Math.max(LEAST[quantity], high)];

@@ -26,6 +26,7 @@ import {
   type Quantity,
 } from "./chart-lines";
 import { lastIn, nth } from "../scene/nth";
+import type { On } from "./inputs";
 
 /** A place on the x axis, in metres or seconds: the focused path's place and, where it is known, its moment. */
 interface Position {
@@ -119,7 +120,7 @@ export class Charts extends AppElement {
             ),
       )}</div>
       <div class="plots" role="img" aria-label="${isTime ? say(lang, "label") : this.t("chart.label")}: ${plots.map(({ quantity }) => this.name(quantity)).join(", ")}">
-        <svg class="all" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: PointerEvent) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
+        <svg class="all" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: On<SVGElement, PointerEvent>) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
           <rect width=${WIDTH} height=${HEIGHT} fill="transparent"/>
           ${drawn}
           ${position ? svg`<line class="cursor" x1=${(position.x / total) * WIDTH} x2=${(position.x / total) * WIDTH} y1="0" y2=${HEIGHT}/>` : nothing}
@@ -227,8 +228,8 @@ export class Charts extends AppElement {
     return `${this.num(value, quantity === "curvature" ? 3 : quantity.startsWith("steering") ? 1 : 2)}${unit.startsWith("°") ? "" : " "}${unit}`;
   }
 
-  private point(event: PointerEvent, total: number): void {
-    const box = (event.currentTarget as SVGElement).getBoundingClientRect(),
+  private point(event: On<SVGElement, PointerEvent>, total: number): void {
+    const box = event.currentTarget.getBoundingClientRect(),
       at = ((event.clientX - box.left) / box.width) * total,
       { plan, drive } = played(this.state.results[this.state.focus]) ?? {};
     const isTime = this.axis === "time",

@@ -8,6 +8,7 @@ import { samplingOf } from "../texts/sampling-steps";
 import { UNITS, type Unit } from "./debugger-session";
 import { SIGNS } from "../view/layers/search-marks";
 import { nth } from "../scene/nth";
+import { keysOf } from "../scene/keys";
 
 const SHOWN_ENTRIES = 12;
 
@@ -106,7 +107,7 @@ export function estimatesCard(
     node = step < 0 ? -1 : nth(trace.nodes, step),
     found = step < 0 ? null : estimatesAt(replay, node, goal);
   if (!found) return nothing;
-  const names = Object.keys(found.all) as (keyof typeof found.all)[];
+  const names = keysOf(found.all);
   // Rounding down to whole micro-cells is no overestimate.
   const over = names.filter((name) => found.all[name] > found.least + 1);
   const list = over.map((name) => say(lang, ESTIMATES[name])).join(", ");

@@ -21,11 +21,13 @@ import type { Frame } from "../view/frame";
 import { AppElement } from "./base";
 import { connectionCard, obstacleName } from "./debugger-connection";
 import { code, estimatesCard, fieldCard, legend, movesTable, openTable, unitsOf, variables } from "./debugger-parts";
-import { POSE_RADIUS, Session, SPEEDS, type Breakpoints, type Unit } from "./debugger-session";
+import { POSE_RADIUS, Session, SPEEDS, type Breakpoints } from "./debugger-session";
 import { bytesOf, recordingNote, saveButtons } from "./debugger-recording";
 import { debuggerStyles, room } from "./debugger-styles";
 import { numberOf, valueOf } from "./inputs";
 import { nth } from "../scene/nth";
+import { rootOf } from "./beside";
+import { chosenOf } from "./chosen";
 
 /** A recording of more than this is asked for, bytes. */
 const ASK_BYTES = 8e6;
@@ -110,7 +112,7 @@ export class Debugger extends AppElement {
       mode: planners.length > 1 ? "focus" : mode,
       camera: null,
     });
-    this.around = this.getRootNode() as ShadowRoot;
+    this.around = rootOf(this);
     this.around.adoptedStyleSheets.push(room.styleSheet!);
   }
 
@@ -294,7 +296,7 @@ export class Debugger extends AppElement {
         })}
         ${press("next", "next", () => session.move(1))}${press("last", "last", () => session.seek(replay.events))}
         <select aria-label=${say(lang, "unit")} title=${say(lang, "unit")} @change=${(e: Event) => {
-          session.unit = valueOf(e) as Unit;
+          session.unit = chosenOf(e, unitsOf(replay));
         }}>${unitsOf(replay).map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, UNIT_KEYS[unit])}</option>`)}</select>
         <select aria-label=${say(lang, "speed")} title=${say(lang, "speed")} @change=${(e: Event) => {
           session.speed = numberOf(e);
@@ -330,7 +332,7 @@ export class Debugger extends AppElement {
   /** The next click on the map chooses a cell or, of a search for a car, a point. */
   private readonly pick = (): void => {
     this.picking = true;
-    const stage = (this.getRootNode() as ShadowRoot).querySelector("parkade-stage");
+    const stage = rootOf(this).querySelector("parkade-stage");
     const take = (event: Event): void => {
       event.preventDefault();
       event.stopPropagation();
@@ -388,7 +390,7 @@ customElements.define("parkade-debugger", Debugger);
 
 /** Opens the debugger in its playground after so many events, or closes it. */
 export function toggleDebugger(app: App, beside: HTMLElement, at = 0): void {
-  const root = beside.getRootNode() as ShadowRoot;
+  const root = rootOf(beside);
   const open = root.querySelector<Debugger>("parkade-debugger");
   if (open) open.remove();
   else root.querySelector(".layout-wide, .layout-narrow")?.append(Object.assign(new Debugger(), { app, opensAt: at }));

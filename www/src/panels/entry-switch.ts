@@ -7,6 +7,7 @@ import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./free-spot";
 import { icon } from "../styles/icons";
+import { hostOf } from "./beside";
 
 const say = words("entrySwitch", messages);
 
@@ -36,7 +37,7 @@ export class EntrySwitch extends AppElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.observer.observe(this);
-    this.host = (this.getRootNode() as ShadowRoot).host as HTMLElement;
+    this.host = hostOf(this);
     this.host.addEventListener("parkade-hint", this.onHint);
   }
 

@@ -13,6 +13,7 @@ import { AppElement } from "./base";
 import { valueOf } from "./inputs";
 import { icon } from "../styles/icons";
 import "./thumbnail";
+import { keysOf } from "../scene/keys";
 
 const say = words("generate", messages);
 
@@ -127,9 +128,7 @@ export class Generate extends AppElement {
   private asked(): Family {
     const number = (text: string): unknown =>
       text.trim() !== "" && Number.isFinite(Number(text)) ? Number(text) : text;
-    const names = (Object.keys(this.values) as Field[]).filter(
-      (name) => this.family === "random" || !ONLY_RANDOM.includes(name),
-    );
+    const names = keysOf(this.values).filter((name) => this.family === "random" || !ONLY_RANDOM.includes(name));
     return {
       family: this.family,
       ...Object.fromEntries(names.map((name) => [name, number(this.values[name])])),

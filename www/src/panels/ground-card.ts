@@ -16,6 +16,7 @@ import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { valueOf } from "./inputs";
 import { stopText } from "../texts/ground-limit";
+import { keysOf } from "../scene/keys";
 
 const FIELDS = { width: ["right", "left"], depth: ["top", "bottom"] } as const satisfies Record<
   string,
@@ -46,7 +47,7 @@ export class GroundCard extends AppElement {
 
   protected override render(): TemplateResult | typeof nothing {
     const { refused } = this,
-      rows = (Object.keys(FIELDS) as Field[]).map((field) => this.field(field));
+      rows = keysOf(FIELDS).map((field) => this.field(field));
     return html`<div class="row">${rows}</div>${refused ? html`<div class="row"><p id="why" role="alert">${refused.reason}</p></div>` : nothing}`;
   }
 

@@ -11,6 +11,7 @@ import { sections } from "../styles/sections";
 import { duplicateSelected, removeSelected } from "../tools/edit-keys";
 import { AppElement } from "./base";
 import { icon } from "../styles/icons";
+import type { On } from "./inputs";
 
 const say = wordsAt("group");
 
@@ -68,9 +69,8 @@ export class GroupCard extends AppElement {
 
   private field(label: string, unit: string, apply: (value: number) => Scene, value = 0, min?: number): TemplateResult {
     return html`<label class="field"><span>${label}</span><input type="number" step="0.1" min=${min ?? nothing} .value=${value.toFixed(2)}
-      @change=${(event: Event) => {
-        const input = event.target as HTMLInputElement,
-          typed = Number(input.value);
+      @change=${({ currentTarget: input }: On<HTMLInputElement>) => {
+        const typed = Number(input.value);
         const fits = input.value !== "" && Number.isFinite(typed) && (min === undefined || typed >= min);
         if (fits && typed !== value) this.app.store.edit(apply(typed));
         if (!fits || min === undefined) input.value = value.toFixed(2);

@@ -13,6 +13,7 @@ import "./entry-switch";
 import { boxAround, boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./free-spot";
 import { icon } from "../styles/icons";
 import { statusOf } from "../texts/status";
+import { hostOf } from "./beside";
 
 const say = words("hints", messages);
 
@@ -57,7 +58,7 @@ export class Hints extends AppElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.observer.observe(this);
-    this.host = (this.getRootNode() as ShadowRoot).host as HTMLElement;
+    this.host = hostOf(this);
     for (const kind of ["pointerdown", "keydown", "wheel"])
       this.host.addEventListener(kind, this.onAction, { capture: true, passive: true });
   }

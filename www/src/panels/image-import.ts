@@ -8,7 +8,7 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-large-maps";
 import { DialogElement } from "./dialog";
-import { isChecked, numberOf } from "./inputs";
+import { isChecked, numberOf, type On } from "./inputs";
 
 const say = words("imageImport", messages);
 
@@ -130,12 +130,12 @@ export class ImageDialog extends DialogElement {
   }
 
   /** A cell is at least one pixel, and a map at most so many cells wide. */
-  private readonly coarsen = (event: Event): void => {
+  private readonly coarsen = (event: On<HTMLInputElement>): void => {
     const { pixels } = this,
       typed = Math.round(numberOf(event));
     const least = pixels ? Math.ceil(Math.max(pixels.width, pixels.height) / MOST_CELLS) : 1;
     if (Number.isFinite(typed) && typed >= least && typed <= 64) this.set({ perCell: typed });
-    (event.target as HTMLInputElement).value = String(this.options.perCell);
+    event.currentTarget.value = String(this.options.perCell);
   };
 
   private set(patch: Partial<ImageOptions>): void {

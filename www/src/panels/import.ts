@@ -17,6 +17,8 @@ import { AppElement } from "./base";
 import { numberOf } from "./inputs";
 import { icon, type IconName } from "../styles/icons";
 import { nth } from "../scene/nth";
+import { rootOf } from "./beside";
+import { fieldsOf } from "../scene/keys";
 
 const say = words("import", messages);
 
@@ -129,7 +131,7 @@ export class ImportBar extends AppElement {
   private async openImage(file: File): Promise<void> {
     this.turn++;
     await import("./image-import");
-    const root = this.getRootNode() as ShadowRoot;
+    const root = rootOf(this);
     await root.querySelector<HTMLElement & { ask(file: File): Promise<void> }>("parkade-image")?.ask(file);
   }
 
@@ -151,9 +153,10 @@ export class ImportBar extends AppElement {
     } catch (error) {
       if (turn !== this.turn) return;
       const { lang } = this.state,
-        { line } = error as { line?: number },
+        { line } = fieldsOf(error),
         reason = sentence(error);
-      const text = line === undefined ? say(lang, "bad", { name, reason }) : say(lang, "line", { name, line, reason });
+      const text =
+        typeof line !== "number" ? say(lang, "bad", { name, reason }) : say(lang, "line", { name, line, reason });
       this.app.store.set({ message: { tone: "err", text } });
     }
   }

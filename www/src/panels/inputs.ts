@@ -1,3 +1,6 @@
+/** An event that is listened to on such an element. */
+export type On<Listening extends Element, Kind extends Event = Event> = Kind & { readonly currentTarget: Listening };
+
 /** What a form's control holds when it tells of a change. */
 const controlOf = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
 

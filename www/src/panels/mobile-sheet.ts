@@ -13,6 +13,8 @@ import "./options";
 import "./table";
 import type { Command } from "../app/command";
 import { TOOLS } from "../app/commands";
+import { hostOf } from "./beside";
+import type { On } from "./inputs";
 
 const TABS = ["draw", "results", "params"] as const;
 /** Of the sheet: closed, with the map above, with little of the map. Low pages keep some of the map. */
@@ -135,7 +137,7 @@ export class Sheet extends AppElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    const { host } = this.getRootNode() as ShadowRoot;
+    const host = hostOf(this);
     if (host.clientHeight < LOW) this.size = 0;
   }
 
@@ -197,8 +199,8 @@ export class Sheet extends AppElement {
     if (tab === "params") this.size = 2;
   }
 
-  private readonly grab = (event: PointerEvent): void => {
-    (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
+  private readonly grab = (event: On<HTMLElement, PointerEvent>): void => {
+    event.currentTarget.setPointerCapture(event.pointerId);
     this.drag = { y: event.clientY, size: this.size, moved: false };
   };
 

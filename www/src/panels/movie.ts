@@ -14,8 +14,10 @@ import { laterLayers } from "../view/lazy-layers";
 import { SceneLayers } from "../view/scene-layers";
 import { readTokens, type Tokens } from "../view/tokens";
 import { DialogElement } from "./dialog";
-import { numberOf, valueOf } from "./inputs";
+import { numberOf, type On } from "./inputs";
 import { say } from "./movie-words";
+import { besideOf } from "./beside";
+import { nth } from "../scene/nth";
 
 const WIDTHS = [480, 640, 960, 1280] as const;
 const RATES = [10, 15, 25] as const;
@@ -52,8 +54,8 @@ export class MovieDialog extends DialogElement {
   declare options: {
     format: Format;
     base: "search" | "drive";
-    width: number;
-    rate: number;
+    width: (typeof WIDTHS)[number];
+    rate: (typeof RATES)[number];
     seconds: number;
     theme: "light" | "dark";
     all: boolean;
@@ -101,17 +103,17 @@ export class MovieDialog extends DialogElement {
       values: readonly T[],
       now: T,
       name: (value: T) => string,
-      take: (value: string) => void,
+      take: (value: T) => void,
       isOff: (value: T) => boolean = () => false,
     ): TemplateResult =>
-      html`<label class="row">${say(lang, key)}<select @change=${(e: Event) => take(valueOf(e))}>${values.map((value) => html`<option value=${value} ?selected=${value === now} ?disabled=${isOff(value)}>${name(value)}</option>`)}</select></label>`;
+      html`<label class="row">${say(lang, key)}<select @change=${({ currentTarget }: On<HTMLSelectElement>) => take(nth(values, currentTarget.selectedIndex))}>${values.map((value) => html`<option value=${value} ?selected=${value === now} ?disabled=${isOff(value)}>${name(value)}</option>`)}</select></label>`;
     return html`${this.top(say(lang, "title"))}<form @submit=${this.save}>
       ${choice(
         "format",
         FORMATS,
         options.format,
         (one) => (this.known.has(one) ? say(lang, one) : say(lang, "unsupported", { format: say(lang, one) })),
-        (one) => set({ format: one as Format }),
+        (format) => set({ format }),
         (one) => !this.known.has(one),
       )}
       ${choice(
@@ -119,7 +121,7 @@ export class MovieDialog extends DialogElement {
         ["drive", "search"] as const,
         options.base,
         (one) => say(lang, one),
-        (one) => set({ base: one as "drive" | "search" }),
+        (base) => set({ base }),
       )}
       ${choice(
         "who",
@@ -128,14 +130,14 @@ export class MovieDialog extends DialogElement {
         (one) => say(lang, one, { planner: plannerName(lang, focus) }),
         (one) => set({ all: one === "all" }),
       )}
-      ${choice("width", WIDTHS, options.width as (typeof WIDTHS)[number], String, (one) => set({ width: Number(one) }))}
-      ${choice("rate", RATES, options.rate as (typeof RATES)[number], String, (one) => set({ rate: Number(one) }))}
+      ${choice("width", WIDTHS, options.width, String, (width) => set({ width }))}
+      ${choice("rate", RATES, options.rate, String, (rate) => set({ rate }))}
       ${choice(
         "theme",
         ["light", "dark"] as const,
         options.theme,
         (one) => say(lang, one),
-        (one) => set({ theme: one as "light" | "dark" }),
+        (theme) => set({ theme }),
       )}
       <label class="row">${say(lang, "seconds")}<span class="field"><input type="number" min="1" max=${LONGEST_S} step="1" .value=${String(options.seconds)} @change=${(e: Event) => set({ seconds: Math.min(LONGEST_S, Math.max(1, numberOf(e) || 10)) })}></span></label>
       ${this.done === null ? nothing : html`<progress max="1" .value=${this.done}></progress>`}
@@ -243,12 +245,12 @@ export class MovieDialog extends DialogElement {
   }
 
   private async colours(): Promise<Tokens> {
-    const element = Object.assign(document.createElement("parkade-themed"), { hidden: true });
+    const element = Object.assign(new Themed(), { hidden: true });
     element.setAttribute("theme", this.options.theme);
-    this.shadowRoot!.append(element);
+    this.renderRoot.append(element);
     try {
-      await (element as Themed).updateComplete;
-      return readTokens(element as HTMLElement);
+      await element.updateComplete;
+      return readTokens(element);
     } finally {
       element.remove();
     }
@@ -258,12 +260,6 @@ export class MovieDialog extends DialogElement {
 customElements.define("parkade-movie", MovieDialog);
 
 /** Opens the dialog beside a piece of its playground. */
-export function openMovie(app: App, beside: HTMLElement): void {
-  const root = beside.getRootNode() as ShadowRoot;
-  let dialog = root.querySelector<MovieDialog>("parkade-movie");
-  if (!dialog) {
-    dialog = Object.assign(new MovieDialog(), { app });
-    root.append(dialog);
-  }
-  dialog.open();
+export function openMovie(app: App, piece: HTMLElement): void {
+  besideOf(MovieDialog, app, piece).open();
 }

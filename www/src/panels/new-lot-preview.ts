@@ -7,6 +7,7 @@ import { fitMap, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
 import { say } from "./new-lot-words";
 import "./thumbnail";
+import type { On } from "./inputs";
 
 /** A size that the border is dragged to, metres; null gives the drag up. */
 export interface Resize {
@@ -71,7 +72,7 @@ export class LotPreview extends AppElement {
           size = `${this.num(sizeAlong(box, k), 1)} m`;
         return html`<button type="button" role="slider" class="${side} ${k === 1 ? "up" : ""} ${this.drag?.side === side ? "held" : ""}" .style=${`left:${left}px;top:${top}px`} aria-label=${say(this.state.lang, `${side}Side`)}
           aria-orientation=${k === 0 ? "horizontal" : "vertical"} aria-valuemin="6" aria-valuemax="200" aria-valuenow=${sizeAlong(box, k)} aria-valuetext=${size}
-          @pointerdown=${(e: PointerEvent) => this.press(e, side)} @pointermove=${this.pull} @pointerup=${this.release} @pointercancel=${this.giveUp} @keydown=${(e: KeyboardEvent) => this.key(e, side)}><span>${size}</span></button>`;
+          @pointerdown=${(e: On<HTMLElement, PointerEvent>) => this.press(e, side)} @pointermove=${this.pull} @pointerup=${this.release} @pointercancel=${this.giveUp} @keydown=${(e: KeyboardEvent) => this.key(e, side)}><span>${size}</span></button>`;
       })}`;
   }
 
@@ -88,9 +89,9 @@ export class LotPreview extends AppElement {
     return sizeAlong(groundOf(this.scene), axisOf(side));
   }
 
-  private press(event: PointerEvent, side: Side): void {
+  private press(event: On<HTMLElement, PointerEvent>, side: Side): void {
     if (event.button !== 0 || this.drag) return;
-    const target = event.currentTarget as HTMLElement;
+    const target = event.currentTarget;
     target.setPointerCapture(event.pointerId);
     this.drag = {
       side,

@@ -21,6 +21,8 @@ import { icon } from "../styles/icons";
 import { faultText, say, type Word } from "./new-lot-words";
 import "./new-lot-preview";
 import type { Resize } from "./new-lot-preview";
+import { besideOf } from "./beside";
+import { keysOf } from "../scene/keys";
 
 type Block = "ground" | "bays" | "obstacles" | "vehicle";
 type Choice = "kind" | "sides" | "entrance" | "entry" | "car";
@@ -123,7 +125,7 @@ export class NewLot extends DialogElement {
       found = this.plan?.outcome === "found";
     return html`${this.top(say(lang, "title"))}
       <form novalidate @submit=${this.submit}>
-        <div class="blocks">${(Object.keys(BLOCKS) as Block[]).map((block) => this.section(block, sizes))}</div>
+        <div class="blocks">${keysOf(BLOCKS).map((block) => this.section(block, sizes))}</div>
         ${
           this.scene
             ? html`<parkade-lot-preview .app=${this.app} .scene=${this.scene} .plan=${found && !this.fault ? this.plan : null} .stale=${this.fault !== null} @pointerdown=${() => {
@@ -349,12 +351,6 @@ function followed(field: NumberField, { width, depth, bay }: Sizes): number {
 customElements.define("parkade-new-lot", NewLot);
 
 /** Opens the form beside a piece of its playground. */
-export function openNewLot(app: App, beside: HTMLElement): void {
-  const root = beside.getRootNode() as ShadowRoot;
-  let dialog = root.querySelector<NewLot>("parkade-new-lot");
-  if (!dialog) {
-    dialog = Object.assign(new NewLot(), { app });
-    root.append(dialog);
-  }
-  dialog.open();
+export function openNewLot(app: App, piece: HTMLElement): void {
+  besideOf(NewLot, app, piece).open();
 }

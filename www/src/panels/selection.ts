@@ -22,7 +22,7 @@ import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
 import { sections } from "../styles/sections";
 import { AppElement } from "./base";
-import { isChecked } from "./inputs";
+import { isChecked, type On } from "./inputs";
 import { icon } from "../styles/icons";
 import "./ground-card";
 import "./goal-card";
@@ -228,8 +228,7 @@ export class SelectionCard extends AppElement {
 
   private field({ label, unit, value, digits, step, min, max, apply }: Field): TemplateResult {
     return html`<label class="field"><span>${label}</span><input type="number" step=${step} min=${min ?? nothing} max=${max ?? nothing} .value=${value.toFixed(digits)}
-      @change=${(e: Event) => {
-        const input = e.target as HTMLInputElement;
+      @change=${({ currentTarget: input }: On<HTMLInputElement>) => {
         const typed = Number(input.value);
         if (
           input.value === "" ||

@@ -13,6 +13,7 @@ import { DialogElement } from "./dialog";
 import { isChecked, numberOf, valueOf } from "./inputs";
 import { say, today, vehicleText } from "./sheet-words";
 import { wayCsv } from "./way-csv";
+import { besideOf } from "./beside";
 
 type Format = "svg" | "print" | "dxf" | "csv";
 
@@ -145,12 +146,6 @@ export class SheetDialog extends DialogElement {
 customElements.define("parkade-sheet-dialog", SheetDialog);
 
 /** Opens the dialog beside a piece of its playground. */
-export function openSheet(app: App, beside: HTMLElement): void {
-  const root = beside.getRootNode() as ShadowRoot;
-  let dialog = root.querySelector<SheetDialog>("parkade-sheet-dialog");
-  if (!dialog) {
-    dialog = Object.assign(new SheetDialog(), { app });
-    root.append(dialog);
-  }
-  dialog.open();
+export function openSheet(app: App, piece: HTMLElement): void {
+  besideOf(SheetDialog, app, piece).open();
 }

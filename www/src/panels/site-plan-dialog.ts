@@ -13,8 +13,9 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-large-maps";
 import { DialogElement } from "./dialog";
-import { numberOf, valueOf } from "./inputs";
+import { numberOf } from "./inputs";
 import "./site-plan-preview";
+import { chosenOf } from "./chosen";
 
 const say = words("sitePlan", messages);
 
@@ -116,7 +117,7 @@ export class SitePlanDialog extends DialogElement {
       <select aria-label=${say(lang, "role", { layer: name })} @focus=${light(name)} @blur=${light("")} @change=${(
         event: Event,
       ) => {
-        this.roles = { ...this.roles, [name]: valueOf(event) as Role };
+        this.roles = { ...this.roles, [name]: chosenOf(event, ROLES) };
       }}>${ROLES.map((role) => html`<option value=${role} .selected=${role === this.roles[name]} ?selected=${role === this.roles[name]}>${say(lang, role)}</option>`)}</select></li>`;
   }
 

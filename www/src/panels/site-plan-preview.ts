@@ -7,6 +7,7 @@ import type { Scenario } from "../scene/scenario";
 import type { State } from "../store";
 import type { Tokens } from "../view/tokens";
 import { AppElement } from "./base";
+import type { On } from "./inputs";
 
 const EDGE = 14;
 
@@ -93,7 +94,8 @@ export class SitePlanPreview extends AppElement {
     ctx.setLineDash([]);
     const back = ([x, y]: Point): Point => [x / unit + low[0], y / unit + low[1]];
     for (const slot of scene.slots ?? []) {
-      const [a, b, c, d] = slotOutline(slot).map(back) as [Point, Point, Point, Point],
+      const [p, q, r, s] = slotOutline(slot),
+        [a, b, c, d] = [back(p), back(q), back(r), back(s)],
         mouth: Point = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2],
         deep: Point = [(a[0] + b[0] + c[0] + d[0]) / 4, (a[1] + b[1] + c[1] + d[1]) / 4];
       for (const points of [
@@ -139,8 +141,8 @@ export class SitePlanPreview extends AppElement {
     return [(event.clientX - left - x) / scale, (y - (event.clientY - top)) / scale];
   }
 
-  private readonly down = (event: PointerEvent): void => {
-    (event.target as Element).setPointerCapture(event.pointerId);
+  private readonly down = (event: On<HTMLElement, PointerEvent>): void => {
+    event.currentTarget.setPointerCapture(event.pointerId);
     const at = this.at(event);
     this.ruler = [at, at];
   };

@@ -11,6 +11,7 @@ import { searchTime, statusOf } from "../texts/status";
 import { laterTexts } from "./lazy-texts";
 import "./panel";
 import "./scene-view";
+import type { On } from "./inputs";
 
 const SWIPE_PX = 24;
 
@@ -111,8 +112,8 @@ export class Stage extends AppElement {
       <span>${plan?.outcome === "found" ? `${this.num(plan.metrics.length, 2)} m` : statusOf(this.state, focus).brief}</span></div>`;
   }
 
-  private readonly grab = (event: PointerEvent): void => {
-    (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
+  private readonly grab = (event: On<HTMLElement, PointerEvent>): void => {
+    event.currentTarget.setPointerCapture(event.pointerId);
     this.grabbed = event.clientX;
   };
 

@@ -5,6 +5,7 @@ import type { State } from "../store";
 import { plannedOf, played } from "../store/results";
 import { makeTokens, type Tokens } from "../view/tokens";
 import { nth } from "../scene/nth";
+import { keysOf } from "../scene/keys";
 
 /** Each map where it stands in the element, as it is seen. */
 export function svgOf(host: HTMLElement, views: readonly SceneView[], state: State, tokens: Tokens): string {
@@ -40,7 +41,7 @@ export function svgOf(host: HTMLElement, views: readonly SceneView[], state: Sta
 /** The colours that the page has set. */
 function coloursOf(tokens: Tokens): Record<string, string> {
   const usual = makeTokens(tokens.dark);
-  const own = (Object.keys(usual.colour) as (keyof Tokens["colour"])[])
+  const own = keysOf(usual.colour)
     .filter((name) => tokens.colour[name] !== usual.colour[name])
     .map((name) => [name, tokens.colour[name]]);
   const planners = tokens.planner.flatMap((colour, i) =>

@@ -8,6 +8,7 @@ import { icon, marker } from "../styles/icons";
 import { Menus } from "./popover-controller";
 import { BENCH_RUNS, COLUMNS, rowsOf, unitValues, type Column, type Row } from "./metrics";
 import type { TableFormat } from "./table-format";
+import type { On } from "./inputs";
 
 const SMALL: readonly Column[] = ["length", "gears", "clearance", "plan"];
 /** Percent: as wide as their usual contents, so that no column moves when answers come. */
@@ -116,7 +117,7 @@ export class MetricsTable extends AppElement {
   private footer(): TemplateResult {
     return html`<footer><span title=${this.t("table.rule")}>★ ${this.t("table.rule")}</span>${this.hash()}
       <span class="end">
-        <button class="button" aria-expanded=${this.menus.open === "copy"} @click=${(e: Event) => this.menus.toggle("copy", e.currentTarget as HTMLElement)}>
+        <button class="button" aria-expanded=${this.menus.open === "copy"} @click=${(e: On<HTMLElement>) => this.menus.toggle("copy", e.currentTarget)}>
           ${icon(this.copied ? "check" : "copy", 14)}${this.t(this.copied ? "table.copied" : "table.copy")}${icon("down", 14)}</button>
         ${
           this.menus.open === "copy"

@@ -10,6 +10,8 @@ import { icon } from "../styles/icons";
 import { AppElement } from "./base";
 import type { Debugger } from "./debugger";
 import { DialogElement } from "./dialog";
+import { besideOf, rootOf } from "./beside";
+import { isChecked, valueOf } from "./inputs";
 
 const say = words("task", messages);
 
@@ -52,7 +54,7 @@ export class TaskCard extends AppElement {
   private async openDebugger(step: number): Promise<void> {
     await this.app.planning?.whenSettled();
     const { toggleDebugger } = await import("./debugger");
-    const root = this.getRootNode() as ShadowRoot;
+    const root = rootOf(this);
     if (debuggerIn(root)) return;
     toggleDebugger(this.app, this, step);
     // Only what has no map in it is enlarged: pointers on maps count in the page's own pixels.
@@ -67,7 +69,7 @@ export class TaskCard extends AppElement {
     event.preventDefault();
     event.stopPropagation();
     const sign = event.key === "PageDown" ? 1 : -1,
-      open = debuggerIn(this.getRootNode() as ShadowRoot);
+      open = debuggerIn(rootOf(this));
     if (open) open.move(sign);
     else this.app.player.step(sign);
   };
@@ -108,7 +110,7 @@ export class TaskDialog extends DialogElement {
   }
 
   override open(): void {
-    this.step = debuggerIn(this.getRootNode() as ShadowRoot)?.position ?? null;
+    this.step = debuggerIn(rootOf(this))?.position ?? null;
     this.task = { ...this.task, step: this.step };
     this.copied = false;
     super.open();
@@ -122,9 +124,9 @@ export class TaskDialog extends DialogElement {
       this.copied = false;
     };
     const check = (key: "hidden" | "large" | "step", now: boolean, take: (on: boolean) => void): TemplateResult =>
-      html`<label><input type="checkbox" .checked=${now} @change=${(e: Event) => take((e.target as HTMLInputElement).checked)}>${say(lang, key)}</label>`;
+      html`<label><input type="checkbox" .checked=${now} @change=${(e: Event) => take(isChecked(e))}>${say(lang, key)}</label>`;
     return html`${this.top(say(lang, "title"), say(lang, "lead"))}<form @submit=${this.copy}>
-      <textarea aria-label=${say(lang, "text")} placeholder=${say(lang, "text")} maxlength=${LONGEST_TASK} .value=${task.text} @input=${(e: Event) => set({ text: (e.target as HTMLTextAreaElement).value })}></textarea>
+      <textarea aria-label=${say(lang, "text")} placeholder=${say(lang, "text")} maxlength=${LONGEST_TASK} .value=${task.text} @input=${(e: Event) => set({ text: valueOf(e) })}></textarea>
       ${check("hidden", task.hidden, (hidden) => set({ hidden }))}
       ${check("step", task.step !== null, (on) => set({ step: on ? (this.step ?? 0) : null }))}
       ${check("large", task.large, (large) => set({ large }))}
@@ -150,12 +152,6 @@ export function showTask(app: App, task: Task): void {
 }
 
 /** Opens the dialog for a link with a task. */
-export function openTaskDialog(app: App, beside: HTMLElement): void {
-  const root = beside.getRootNode() as ShadowRoot;
-  let dialog = root.querySelector<TaskDialog>("parkade-task-dialog");
-  if (!dialog) {
-    dialog = Object.assign(new TaskDialog(), { app });
-    root.append(dialog);
-  }
-  dialog.open();
+export function openTaskDialog(app: App, piece: HTMLElement): void {
+  besideOf(TaskDialog, app, piece).open();
 }

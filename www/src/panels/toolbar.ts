@@ -11,6 +11,7 @@ import { AppElement } from "./base";
 import { icon, logo, type IconName } from "../styles/icons";
 import { Menus } from "./popover-controller";
 import { nth } from "../scene/nth";
+import type { On } from "./inputs";
 
 const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
   { id: "grid", icon: "grid" },
@@ -125,7 +126,7 @@ export class Toolbar extends AppElement {
       ${this.button("check", this.t("bar.checkBays"), this.checkBays, "bays")}
       <span class="end"><slot></slot>
         <span class="anchor collapse-1">
-          <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: Event) => this.toggle("export", e)}>
+          <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: On<HTMLElement>) => this.toggle("export", e)}>
             ${icon("export")}<span class="label">${this.t("bar.export")}</span>${icon("down", 14)}</button>
           ${this.menus.open === "export" ? html`<div class="popover right">${menus()?.exports(this)}</div>` : nothing}
         </span>
@@ -177,7 +178,7 @@ export class Toolbar extends AppElement {
   }
 
   private plannersMenu(): TemplateResult {
-    const open = (event: Event): void => {
+    const open = (event: On<HTMLElement>): void => {
       void this.app.complete().catch((error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
       this.toggle("planners", event);
     };
@@ -189,20 +190,19 @@ export class Toolbar extends AppElement {
 
   private layersMenu(): TemplateResult {
     return html`<span class="anchor collapse-2">
-      <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · ${keysOf("previousLayers", "nextLayers")}" @click=${(e: Event) => this.toggle("layers", e)}>
+      <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · ${keysOf("previousLayers", "nextLayers")}" @click=${(e: On<HTMLElement>) => this.toggle("layers", e)}>
         ${icon("layers")}<span class="label">${this.t("bar.layers")}</span>${icon("down", 14)}</button>
       ${this.menus.open === "layers" ? html`<div class="popover">${menus()?.layers(this)}</div>` : nothing}</span>`;
   }
 
   private moreMenu(name: string): TemplateResult {
     return html`<span class="anchor ${name}">
-      ${this.button("more", this.t("bar.more"), (e: Event) => this.toggle("more", e), "")}
+      ${this.button("more", this.t("bar.more"), (e: On<HTMLElement>) => this.toggle("more", e), "")}
       ${this.menus.open === "more" ? html`<div class="popover right">${menus()?.more(this)}</div>` : nothing}</span>`;
   }
 
   /** Menu contents are fetched after the first picture. */
-  private toggle(name: MenuName, { currentTarget }: Event): void {
-    const opener = currentTarget as HTMLElement;
+  private toggle(name: MenuName, { currentTarget: opener }: On<HTMLElement>): void {
     void menus.load().then(
       () => this.menus.toggle(name, opener),
       (error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }),
@@ -212,7 +212,7 @@ export class Toolbar extends AppElement {
   private button(
     name: IconName,
     label: string,
-    run: (event: Event) => void,
+    run: (event: On<HTMLElement>) => void,
     kind: string,
     disabled = false,
   ): TemplateResult {

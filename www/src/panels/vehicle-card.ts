@@ -33,12 +33,9 @@ export class VehicleCard extends AppElement {
     const spec = this.state.scene.vehicle ?? "paper";
     const car = vehicleOf(spec);
     const length = car.rearToFront + car.rearToBack;
-    const names = ["paper", "sedan", ...(spec === "ship" ? ["ship"] : typeof spec === "string" ? [] : ["own"])] as (
-      | "paper"
-      | "sedan"
-      | "ship"
-      | "own"
-    )[];
+    const names: ("paper" | "sedan" | "ship" | "own")[] = ["paper", "sedan"];
+    if (spec === "ship") names.push("ship");
+    else if (typeof spec !== "string") names.push("own");
     const now = typeof spec === "string" ? spec : "own";
     return html`
       <div class="head"><h2>${this.t("inspect.vehicle")}</h2>
@@ -66,8 +63,8 @@ function drawing(back: number, front: number, width: number, wheelbase: number):
     w = width * k,
     rear = back * k,
     axle = rear + wheelbase * k;
-  const wheel = (x: number, y: number, turn: number): TemplateResult =>
-    svg`<rect x=${x - 5.5} y=${y - 2} width="11" height="4" rx="1" transform="rotate(${turn} ${x} ${y})" fill="currentColor"/>` as unknown as TemplateResult;
+  const wheel = (x: number, y: number, turn: number): unknown =>
+    svg`<rect x=${x - 5.5} y=${y - 2} width="11" height="4" rx="1" transform="rotate(${turn} ${x} ${y})" fill="currentColor"/>`;
   return html`<svg width="92" height=${w + 6} viewBox="0 -3 92 ${w + 6}" fill="none" stroke="currentColor" stroke-width="1.25" aria-hidden="true">
     <g stroke="none" opacity=".85">${wheel(rear, 4, 0)}${wheel(rear, w - 4, 0)}${wheel(axle, 4, -16)}${wheel(axle, w - 4, -16)}</g>
     <rect x="0.6" y="0.6" width="90.8" height=${w - 1.2} rx="9" fill="var(--parkade-panel)"/>

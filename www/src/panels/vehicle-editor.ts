@@ -12,6 +12,7 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { DialogElement } from "./dialog";
 import { numberOf, valueOf } from "./inputs";
+import { besideOf } from "./beside";
 
 const say = words("vehicleEditor", messages);
 
@@ -138,8 +139,8 @@ function picture(vehicle: Vehicle, label: string): TemplateResult {
   const { axle, kerb, wall, inner } = turningCircles(vehicle),
     { width, rearToFront, rearToBack, wheelbase } = vehicle,
     side = wall * 1.06;
-  const arc = (radius: number, dash: string, stroke: string): TemplateResult =>
-    svg`<circle cx="0" cy="0" r=${radius} fill="none" stroke=${stroke} stroke-width=${side / 160} stroke-dasharray=${dash}/>` as unknown as TemplateResult;
+  const arc = (radius: number, dash: string, stroke: string): unknown =>
+    svg`<circle cx="0" cy="0" r=${radius} fill="none" stroke=${stroke} stroke-width=${side / 160} stroke-dasharray=${dash}/>`;
   return html`<svg role="img" aria-label=${label} viewBox="${-side} ${-side} ${2 * side} ${2 * side}">
     ${arc(wall, "", "var(--parkade-t1)")}${arc(kerb, `${side / 30} ${side / 50}`, "var(--parkade-accent)")}${arc(inner, "", "var(--parkade-t3)")}
     <rect x=${axle - width / 2} y=${-rearToFront} width=${width} height=${rearToFront + rearToBack} rx=${width / 6} fill="var(--parkade-panel)" stroke="currentColor" stroke-width=${side / 110}/>
@@ -150,12 +151,6 @@ function picture(vehicle: Vehicle, label: string): TemplateResult {
 customElements.define("parkade-vehicle-editor", VehicleEditor);
 
 /** Opens the editor beside a piece of its playground. */
-export function editVehicle(app: App, beside: HTMLElement): void {
-  const root = beside.getRootNode() as ShadowRoot;
-  let dialog = root.querySelector<VehicleEditor>("parkade-vehicle-editor");
-  if (!dialog) {
-    dialog = Object.assign(new VehicleEditor(), { app });
-    root.append(dialog);
-  }
-  void dialog.ask();
+export function editVehicle(app: App, piece: HTMLElement): void {
+  void besideOf(VehicleEditor, app, piece).ask();
 }

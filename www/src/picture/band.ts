@@ -54,7 +54,8 @@ interface Row {
 }
 
 function row(band: Float64Array, i: number, segments: readonly Segment[]): Row {
-  const [lx, ly, rx, ry] = band.subarray(4 * i, 4 * i + 4) as unknown as [number, number, number, number];
+  const at = (k: number): number => nth(band, 4 * i + k),
+    [lx, ly, rx, ry] = [at(0), at(1), at(2), at(3)];
   const width = Math.hypot(lx - rx, ly - ry) || 1,
     to: Point = [(lx - rx) / width, (ly - ry) / width],
     from: Point = [(lx + rx) / 2, (ly + ry) / 2];

@@ -2,6 +2,7 @@
 import type { Surface } from "../view/surface";
 import { apply, n, Outline, Path2D, scaleOf, times, type Matrix } from "./path";
 import { nth } from "../scene/nth";
+import { keysOf } from "../scene/keys";
 
 /** A shape, a text or a raster: what is fixed, and the style that a theme can change. `markup` is open at its end. */
 export interface Mark {
@@ -70,9 +71,9 @@ class Pen {
   }
 
   save(): void {
-    this.kept.push(
-      Object.fromEntries(Object.keys(FIRST).map((key) => [key, this[key as keyof Settings]])) as unknown as Settings,
-    );
+    const kept = { ...FIRST };
+    for (const key of keysOf(FIRST)) Object.assign(kept, { [key]: this[key] });
+    this.kept.push(kept);
   }
   restore(): void {
     Object.assign(this, this.kept.pop());

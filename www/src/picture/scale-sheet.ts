@@ -2,6 +2,7 @@
 import { boxOf, type Box, type Point } from "../scene/geometry";
 import { escaped } from "./canvas";
 import { DRAWING_LAYERS, type DrawingLayer, type SiteDrawing } from "./site-drawing";
+import { keysOf } from "../scene/keys";
 
 /** Landscape, millimetres. */
 export const PAPERS = { A4: [297, 210], A3: [420, 297], A2: [594, 420], A1: [841, 594], A0: [1189, 841] } as const;
@@ -38,7 +39,7 @@ export interface Sheet {
 export function paperFor(box: Box, scale: number): Paper | null {
   const [width, height] = sizeOn(box, scale);
   return (
-    (Object.keys(PAPERS) as Paper[]).find(
+    keysOf(PAPERS).find(
       (paper) => width <= PAPERS[paper][0] - 2 * EDGE && height <= PAPERS[paper][1] - 2 * EDGE - BLOCK.height - 4,
     ) ?? null
   );

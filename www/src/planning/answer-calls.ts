@@ -2,7 +2,8 @@
 import type { CallReply, CallRequest, Functions } from "./calls";
 import { failureOf } from "./failure";
 
-const scope = self as unknown as {
+/** The worker's own scope; the page's libraries know a window. */
+declare const self: {
   onmessage: ((event: MessageEvent<CallRequest>) => void) | null;
   postMessage(reply: CallReply, transfer: Transferable[]): void;
 };
@@ -16,17 +17,17 @@ export function answerCalls<Jobs extends Functions>(
   prepare: (context: never) => Promise<void> = () => Promise.resolve(),
   moved: (answer: unknown) => Transferable[] = () => [],
 ): void {
-  const before = scope.onmessage;
+  const before = self.onmessage;
   const answer = async ({ id, name, input, context }: CallRequest): Promise<void> => {
     const reply = { kind: "call", id } as const;
     try {
       await prepare(context as never);
-      const tell = (told: unknown): void => scope.postMessage({ ...reply, told }, []);
+      const tell = (told: unknown): void => self.postMessage({ ...reply, told }, []);
       const got = jobs[name]!(input as never, tell as never);
-      scope.postMessage({ ...reply, answer: got }, moved(got));
+      self.postMessage({ ...reply, answer: got }, moved(got));
     } catch (error) {
-      scope.postMessage({ ...reply, error: failureOf(error) }, []);
+      self.postMessage({ ...reply, error: failureOf(error) }, []);
     }
   };
-  scope.onmessage = (event) => (event.data.kind === "call" ? void answer(event.data) : before?.call(scope, event));
+  self.onmessage = (event) => (event.data.kind === "call" ? void answer(event.data) : before?.call(self, event));
 }

@@ -1,6 +1,7 @@
 /** Which of a planner's paths are worth a chip. */
 import type { Choice } from "../store/results";
 import type { Drive, Encounter, HybridPlan, Prefer } from "parkade";
+import { keysOf } from "../scene/keys";
 
 const MOST = 4;
 /** Smaller differences count as equal: a share of the length or the time, and metres of clearance. */
@@ -24,7 +25,7 @@ const MEASURES: Record<Prefer, (plan: HybridPlan) => readonly [number, number]> 
   widest: ({ metrics: { minClearance, length } }) => [-minClearance, length],
   fastest: ({ metrics: { driveTime = Infinity, length } }) => [driveTime, length],
 };
-const PREFERENCES = Object.keys(MEASURES) as Prefer[];
+const PREFERENCES = keysOf(MEASURES);
 
 /** The paths that are best by some measure, and the ordinary one, the shortest first. */
 export function choicesOf(ordinary: HybridPlan, alternatives: readonly HybridPlan[]): Choice[] {

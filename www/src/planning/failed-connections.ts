@@ -1,5 +1,5 @@
 import type { ArcTrace, Pose } from "parkade";
-import { nth } from "../scene/nth";
+import { nth, poseAt } from "../scene/nth";
 
 const FIELDS = 5;
 
@@ -39,13 +39,12 @@ export class FailedConnections {
     const arcs: DrivenArc[] = [];
     for (let at = nth(shots.first, number); at < (shots.first[number + 1] ?? shots.arcs.length / FIELDS); at++)
       arcs.push(arcOf(shots.arcs, at));
-    const [x, y, heading] = shots.hits.subarray(3 * number, 3 * number + 3) as unknown as [number, number, number];
     const length = arcs.reduce((sum, one) => sum + Math.abs(one.length), 0);
-    return { arcs, hit: { x, y, heading }, obstacle: nth(shots.obstacles, number), length };
+    return { arcs, hit: poseAt(shots.hits, number), obstacle: nth(shots.obstacles, number), length };
   }
 }
 
 function arcOf(columns: Float64Array, at: number): DrivenArc {
-  const [x, y, heading, curvature, length] = columns.subarray(at * FIELDS, at * FIELDS + FIELDS) as unknown as number[];
-  return { x: x!, y: y!, heading: heading!, curvature: curvature!, length: length! };
+  const field = (k: number): number => nth(columns, at * FIELDS + k);
+  return { x: field(0), y: field(1), heading: field(2), curvature: field(3), length: field(4) };
 }

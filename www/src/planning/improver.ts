@@ -9,6 +9,7 @@ import type { Driven } from "./choices-of";
 import { chosenOf, isProven } from "./chosen";
 import { Helper } from "./job-client";
 import type { Engine } from "./engine-loader";
+import { keysOf } from "../scene/keys";
 
 /** A scene rests for so long before more is asked for, where nothing is preferred. */
 const REST_MS = 400;
@@ -93,7 +94,7 @@ class Improver {
     }
     if (this.better && this.question && isGood(state, this.question.planner))
       this.show(this.question.planner, this.better);
-    const ids = Object.keys({ ...old, ...choices }) as PlannerId[];
+    const ids = keysOf({ ...old, ...choices });
     if (ids.some((planner) => old[planner] !== choices[planner])) this.app.store.set({ choices });
     this.tell();
     clearTimeout(this.rest);

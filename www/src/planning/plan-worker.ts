@@ -6,7 +6,8 @@ import type { driveOf } from "./drive-of";
 import { failureOf } from "./failure";
 import type { Ends, Layers, PlanRequest, Reply, Request } from "./protocol";
 
-const scope = self as unknown as {
+/** The worker's own scope; the page's libraries know a window. */
+declare const self: {
   onmessage: ((event: MessageEvent<Request>) => void) | null;
   postMessage(reply: Reply, transfer: Transferable[]): void;
 };
@@ -31,7 +32,7 @@ let plans = 0;
 /** Answers the page's requests; called in workers only. */
 export function serve(loaded: Api): void {
   api = loaded;
-  scope.onmessage = ({ data }) => {
+  self.onmessage = ({ data }) => {
     if (data.kind === "start") {
       letGo();
       plans = 0;
@@ -45,9 +46,9 @@ async function answer(request: Exclude<Request, { kind: "start" }>): Promise<voi
   try {
     await ready;
     const reply = answerTo(request);
-    scope.postMessage(reply, reply.kind === "planned" ? transferables(reply.plan, reply.layers) : []);
+    self.postMessage(reply, reply.kind === "planned" ? transferables(reply.plan, reply.layers) : []);
   } catch (error) {
-    scope.postMessage({ kind: "failed", id: request.id, error: failureOf(error) }, []);
+    self.postMessage({ kind: "failed", id: request.id, error: failureOf(error) }, []);
   }
 }
 
@@ -104,7 +105,7 @@ function plan({
   const [found, time] = timed(
     current.planner,
     { trace, ...ends, ...(drags && { ...DRAG, prefer: prefer! }) },
-    (expansions) => scope.postMessage({ kind: "progress", id, expansions }, []),
+    (expansions) => self.postMessage({ kind: "progress", id, expansions }, []),
   );
   const layers: Layers = {};
   for (const name of names) layers[name] = current.planner.layer(name, name === "risk" ? { every } : {});

@@ -1,5 +1,6 @@
 import type { Pose, PoseTrace, SearchTrace } from "parkade";
-import { nth } from "../scene/nth";
+import { nth, poseAt } from "../scene/nth";
+import { keysOf } from "../scene/keys";
 
 export const STEP = {
   expand: 0,
@@ -24,7 +25,7 @@ export const FATE = {
   drawn: 9,
 } as const;
 export type FateName = keyof typeof FATE;
-export const FATE_NAMES = Object.keys(FATE) as FateName[];
+export const FATE_NAMES = keysOf(FATE);
 
 /** Set in `fates` where the move leads from the node's parent, in `kinds` where the side from the goal is at work. */
 const PAST = 16,
@@ -328,9 +329,7 @@ export class SearchReplay {
 
   /** Where a move leads; null over cells. */
   poseAfter(move: number): Pose | null {
-    if (this.trace.kind !== "poses") return null;
-    const [x, y, heading] = this.trace.poses.subarray(3 * move, 3 * move + 3) as unknown as [number, number, number];
-    return { x, y, heading };
+    return this.trace.kind === "poses" ? poseAt(this.trace.poses, move) : null;
   }
 
   /** The move that reached a node; -1 of the root and over nodes not reached. */

@@ -10,6 +10,7 @@ import { isPage } from "./improver";
 import { CallError } from "./calls";
 import { Helper } from "./job-client";
 import type { Line } from "./trajectories";
+import { messageOf } from "../i18n/said";
 
 /** Longer paths stay as they are planned, metres: an optimisation grows with the length. */
 const LONGEST = 150;
@@ -149,7 +150,7 @@ class Smoother {
       });
     } catch (error) {
       // A drag says nothing of the plan.
-      if (!this.isDropped) this.known.set(plan!, { ...plain, failure: (error as Error).message });
+      if (!this.isDropped) this.known.set(plan!, { ...plain, failure: messageOf(error) });
       // A trap leaves the module's memory in an unknown state.
       if (error instanceof CallError && error.failure.code === "internal") this.stop();
     }

@@ -63,14 +63,16 @@ function formsNear(scene: Scene, near: readonly Point[]): Form[] {
 }
 
 const edgesOf = ({ points, closed }: Form): Form[] =>
-  points.flatMap((b, i) => (i > 0 || closed ? [{ points: [points.at(i - 1)!, b], closed: false }] : []));
+  points.flatMap((b, i) =>
+    i > 0 || closed ? [{ points: [nth(points, (i || points.length) - 1), b], closed: false }] : [],
+  );
 
 /** The edge that a line straight to one side of a pose meets first. */
 function nearestAcross(edges: readonly Form[], pose: Pose, side: number, most: number): Form | undefined {
   let best: Form | undefined,
     least = most;
   for (const edge of edges) {
-    const [a, b] = edge.points.map((p) => intoPose(pose, p)) as [Point, Point];
+    const [a, b] = [intoPose(pose, nth(edge.points, 0)), intoPose(pose, nth(edge.points, 1))];
     if (a[0] < 0 === b[0] < 0) continue;
     const across = side * (a[1] + ((b[1] - a[1]) * a[0]) / (a[0] - b[0]));
     if (across >= 0 && across < least) [best, least] = [edge, across];

@@ -91,16 +91,12 @@ export function leaveSlot(scene: Scene): Scene {
 
 /** A rectangle that reaches from `back` to `front` along a heading, and `half` to either side, whole centimetres. */
 function boxAt(at: Pose, back: number, front: number, half: number): Point[] {
-  return (
-    [
-      [back, -half],
-      [front, -half],
-      [front, half],
-      [back, half],
-    ] as const
-  ).map(
-    ([along, across]) => fromPose(at, along, across).map((value) => Math.round(value * 100) / 100) as unknown as Point,
-  );
+  const whole = (value: number): number => Math.round(value * 100) / 100;
+  const corner = (along: number, across: number): Point => {
+    const [x, y] = fromPose(at, along, across);
+    return [whole(x), whole(y)];
+  };
+  return [corner(back, -half), corner(front, -half), corner(front, half), corner(back, half)];
 }
 
 export function withEntry(scene: Scene, entry: AnyEntry): Scene {

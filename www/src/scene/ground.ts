@@ -146,7 +146,7 @@ function paintedTo(scene: Scene, side: Side): number | null {
 function withFrame(scene: Scene, k: 0 | 1, sign: 1 | -1, end: number, boundary: Point[]): Scene {
   const { origin, resolution, width, height } = scene.map,
     shift = sign < 0 ? end : 0;
-  const cells = [width, height] as [number, number],
+  const cells: Point = [width, height],
     start: Point = [...origin];
   cells[k] = sign > 0 ? end : cells[k] - end;
   if (shift !== 0) start[k] = Math.round((origin[k] + shift * resolution) * 1e9) / 1e9;

@@ -26,9 +26,10 @@ function number(value: Item | undefined): number {
     throw new Error("This link is damaged: a number is missing.");
   return value;
 }
+const pointOf = (x: Item | undefined, y: Item | undefined): Point => [metres(x), metres(y)];
 function list(value: unknown): Item[] {
   if (!Array.isArray(value)) throw new Error("This link is damaged: a list is missing.");
-  return value as Item[];
+  return value;
 }
 
 const packPose = (pose: Pose): Item[] => [cm(pose.x), cm(pose.y), tenths(pose.heading)];
@@ -318,7 +319,7 @@ export function unpack(data: Record<string, unknown>, name: (scene: GivenScenari
     version: 1 as const,
     ...(typeof data["n"] === "string" ? { name: data["n"] } : {}),
     map: {
-      origin: [metres(x), metres(y)] as Point,
+      origin: pointOf(x, y),
       width: number(width),
       height: number(height),
       resolution: number(resolution),

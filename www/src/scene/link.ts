@@ -5,6 +5,7 @@ import { ensureIds } from "./model";
 import type { Scenario } from "./scenario";
 import { fitsLink } from "./large-scene";
 import { nth } from "./nth";
+import { isRecord } from "./keys";
 
 const VERSION = "1";
 /** A few kilobytes can inflate to gigabytes; no link's scene needs more than this. */
@@ -27,8 +28,8 @@ export async function decodeScene(link: string): Promise<Scenario> {
   } catch {
     throw new Error("This link is damaged or cut off.");
   }
-  if (typeof data !== "object" || data === null) throw new Error("This link holds no scene.");
-  const scene = checkScene(unpack(data as Record<string, unknown>, (bare) => ensureIds(bounded(bare))));
+  if (!isRecord(data)) throw new Error("This link holds no scene.");
+  const scene = checkScene(unpack(data, (bare) => ensureIds(bounded(bare))));
   if (!fitsLink(scene)) throw new Error("This link holds more cells than a link can.");
   return scene;
 }

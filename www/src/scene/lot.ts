@@ -237,7 +237,8 @@ function frameOf({ width, depth }: Sizes): Scenario["map"] {
   const across = Math.ceil(width / resolution - 1e-6),
     up = Math.ceil(depth / resolution - 1e-6);
   const isEven = Math.abs(across * resolution - width) < 1e-6 && Math.abs(up * resolution - depth) < 1e-6;
-  const frame = { origin: [0, 0] as Point, width: across, height: up, resolution };
+  const origin: Point = [0, 0],
+    frame = { origin, width: across, height: up, resolution };
   return isEven
     ? frame
     : {

@@ -94,12 +94,14 @@ function clipped(a: Point, b: Point, low: Point, high: Point): [Point, Point] | 
     to = 1;
   for (const k of [0, 1] as const) {
     const along = b[k] - a[k];
-    const [enter, leave] =
-      along === 0
-        ? [a[k] >= low[k] && a[k] <= high[k] ? -Infinity : Infinity, Infinity]
-        : ([(low[k] - a[k]) / along, (high[k] - a[k]) / along].sort((s, t) => s - t) as [number, number]);
-    from = Math.max(from, enter);
-    to = Math.min(to, leave);
+    if (along === 0) {
+      if (a[k] < low[k] || a[k] > high[k]) return null;
+      continue;
+    }
+    const one = (low[k] - a[k]) / along,
+      other = (high[k] - a[k]) / along;
+    from = Math.max(from, Math.min(one, other));
+    to = Math.min(to, Math.max(one, other));
   }
   const at = (t: number): Point => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
   return from <= to ? [at(from), at(to)] : null;

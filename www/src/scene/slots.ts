@@ -32,7 +32,10 @@ function sideDirection(slot: Slot): number {
 }
 
 /** Near left, near right, far right, far left, seen from the aisle. */
-export function slotOutline(slot: Slot): Point[] {
+/** Near left, near right, far right, far left, as seen from the aisle. */
+export type Quad = [Point, Point, Point, Point];
+
+export function slotOutline(slot: Slot): Quad {
   const mouth: Pose = { x: slot.x, y: slot.y, heading: slot.heading };
   const half = openingOf(slot) / 2;
   const reach = slot.kind === "parallel" ? slot.width : slot.length;
@@ -52,7 +55,7 @@ export function slotLines(slots: readonly Slot[]): [Point, Point][] {
   const lines: [Point, Point][] = [],
     isSame = (p: Point, q: Point): boolean => distance(p, q) < SAME_END;
   for (const slot of slots) {
-    const [nearLeft, nearRight, farRight, farLeft] = slotOutline(slot) as [Point, Point, Point, Point];
+    const [nearLeft, nearRight, farRight, farLeft] = slotOutline(slot);
     for (const [p, q] of [
       [nearLeft, farLeft],
       [farLeft, farRight],
@@ -65,7 +68,7 @@ export function slotLines(slots: readonly Slot[]): [Point, Point][] {
 }
 
 export function slotCentre(slot: Slot): Point {
-  const [a, b, c, d] = slotOutline(slot) as [Point, Point, Point, Point];
+  const [a, b, c, d] = slotOutline(slot);
   return [(a[0] + b[0] + c[0] + d[0]) / 4, (a[1] + b[1] + c[1] + d[1]) / 4];
 }
 

@@ -38,7 +38,7 @@ export function findBays(given: readonly SitePlanLine[]): FoundBays {
   for (const { points, closed } of lines) {
     const corners = straightened(points, REACH, closed);
     if (!closed) for (let i = 1; i < corners.length; i++) open.push([nth(corners, i - 1), nth(corners, i)]);
-    else if (isBay(corners)) quads.push(corners as Quad);
+    else if (isQuad(corners) && isBay(corners)) quads.push(corners);
     else others++;
   }
   if (open.length > MOST_LINES)
@@ -51,11 +51,11 @@ export function findBays(given: readonly SitePlanLine[]): FoundBays {
   return { quads, lines: pieces, others };
 }
 
+const isQuad = (corners: Point[]): corners is Quad => corners.length === 4;
+
 /** A parallelogram of a bay's size. */
-function isBay(corners: readonly Point[]): boolean {
-  if (corners.length !== 4) return false;
-  const [a, b, c, d] = corners as Quad,
-    sides = [distance(a, b), distance(b, c), distance(c, d), distance(d, a)] as const;
+function isBay([a, b, c, d]: Quad): boolean {
+  const sides = [distance(a, b), distance(b, c), distance(c, d), distance(d, a)] as const;
   const isParallel = Math.hypot(b[0] - a[0] - (c[0] - d[0]), b[1] - a[1] - (c[1] - d[1])) < 0.15 * Math.min(...sides);
   return isParallel && Math.min(...sides) >= SHORTEST && Math.max(...sides) <= LONGEST;
 }
@@ -223,7 +223,8 @@ function viewFrom([a, b]: Segment, middle: Point, around: readonly Segment[]): n
 }
 
 function slotFrom(quad: Quad, open: number): Slot {
-  const [a, b, c, d] = [0, 1, 2, 3].map((k) => nth(quad, (open + k) % 4)) as Quad;
+  const at = (k: number): Point => nth(quad, (open + k) % 4),
+    [a, b, c, d] = [at(0), at(1), at(2), at(3)];
   const mouth = middleOf([a, b]),
     inward = towards(mouth, middleOf([c, d])),
     along = towards(a, b),

@@ -1,6 +1,5 @@
 /** Degrees of WGS 84 on the plane that touches the ellipsoid in the plan's middle: metres east and north. */
 import { radians, type Point } from "../scene/geometry";
-import { nth } from "../scene/nth";
 
 const EQUATOR = 6_378_137,
   FLATTENING = 1 / 298.257223563,
@@ -24,7 +23,8 @@ export function localProjection([longitude, latitude]: Point): (place: Point) =>
     [lon, lat] = [radians(longitude), radians(latitude)];
   const [sinLon, cosLon, sinLat, cosLat] = [Math.sin(lon), Math.cos(lon), Math.sin(lat), Math.cos(lat)];
   return ([x, y]) => {
-    const [dx, dy, dz] = fromCentre(x, y).map((value, i) => value - nth(middle, i)) as Vector;
+    const place = fromCentre(x, y),
+      [dx, dy, dz] = [place[0] - middle[0], place[1] - middle[1], place[2] - middle[2]];
     return [-sinLon * dx + cosLon * dy, -sinLat * cosLon * dx - sinLat * sinLon * dy + cosLat * dz];
   };
 }

@@ -5,6 +5,7 @@ import { layerOf, parsed, projected } from "./read-geojson";
 import { PlanBuilder, SitePlanError } from "./site-plan";
 import { readXml } from "./xml";
 import { nth } from "../scene/nth";
+import { fieldsOf } from "../scene/keys";
 
 type Tags = Record<string, string>;
 interface Way {
@@ -113,7 +114,8 @@ function needed(attribute: (name: string) => string | undefined, name: string, o
 function addNode({ nodes }: Extract, id: string, lon: unknown, lat: unknown, tags: Tags, line?: number): void {
   // Deleted nodes have no place.
   if (lon === undefined && lat === undefined) return;
-  const [x, y] = [lon, lat].map((value) => (value === "" ? Number.NaN : Number(value))) as Point;
+  const degrees = (value: unknown): number => (value === "" ? Number.NaN : Number(value)),
+    [x, y] = [degrees(lon), degrees(lat)];
   if (!(Math.abs(x) <= 180 && Math.abs(y) <= 90))
     throw new SitePlanError(`node ${id}: lon and lat must be degrees, got ${String(lon)} and ${String(lat)}`, line);
   nodes.set(id, { at: [x, y], tags });
@@ -122,10 +124,10 @@ function addNode({ nodes }: Extract, id: string, lon: unknown, lat: unknown, tag
 
 function fromJson(text: string): Extract {
   const extract: Extract = { nodes: new Map(), ways: new Map(), relations: [] },
-    whole = parsed(text) as { elements?: unknown };
-  if (!Array.isArray(whole?.elements)) throw new SitePlanError("elements: must be a list");
-  whole.elements.forEach((one: unknown, i) => {
-    const { type, id, lon, lat, nodes, members, tags } = Object(one) as Record<string, unknown>,
+    whole = fieldsOf(parsed(text));
+  if (!Array.isArray(whole["elements"])) throw new SitePlanError("elements: must be a list");
+  whole["elements"].forEach((one: unknown, i) => {
+    const { type, id, lon, lat, nodes, members, tags } = fieldsOf(one),
       own = Object.fromEntries(Object.entries(Object(tags)).map(([key, value]) => [key, String(value)]));
     if (type === "node") addNode(extract, String(id), lon, lat, own);
     else if (type === "way") {
@@ -134,7 +136,7 @@ function fromJson(text: string): Extract {
     } else if (type === "relation") {
       if (!Array.isArray(members)) throw new SitePlanError(`elements[${i}].members: must be a list`);
       const read = members.map((member: unknown) => {
-        const { type: kind, ref } = Object(member) as Record<string, unknown>;
+        const { type: kind, ref } = fieldsOf(member);
         return { type: String(kind), ref: String(ref) };
       });
       extract.relations.push({ members: read, tags: own });

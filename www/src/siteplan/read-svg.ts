@@ -129,15 +129,15 @@ function linesOf(data: string, transform: string, line: number): [Point[], boole
     .unshort()
     .unarc()
     .iterate(([command, ...values], _, x, y) => {
-      const at = (k: number): Point => [values[k] as number, -(values[k + 1] as number)],
+      const at = (k: number): Point => [Number(values[k]), -Number(values[k + 1])],
         now: Point = [x, -y];
       if (points.length === 0 && command !== "M") points.push(now);
       if (command === "M") {
         end(false);
         points.push(at(0));
       } else if (command === "L") points.push(at(0));
-      else if (command === "H") points.push([values[0] as number, -y]);
-      else if (command === "V") points.push([x, -(values[0] as number)]);
+      else if (command === "H") points.push([Number(values[0]), -y]);
+      else if (command === "V") points.push([x, -Number(values[0])]);
       else if (command === "C") points.push(...bezier(now, at(0), at(2), at(4)));
       else if (command === "Q") points.push(...bezier(now, between(now, at(0)), between(at(2), at(0)), at(2)));
       else if (command === "Z") end(true);

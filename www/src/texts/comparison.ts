@@ -5,6 +5,7 @@ import { words } from "../i18n/words";
 import type { Chart } from "../picture/small-multiples";
 import type { Compared, ComparedClaim, Sample, Span, Swept } from "../planning/comparison";
 import { MEASURED, SWEPT } from "../planning/comparison";
+import { keysOf } from "../scene/keys";
 
 export const say = words("comparison", messages);
 
@@ -16,7 +17,7 @@ export const foundOf = (lang: Lang, { id, found }: ComparedClaim): string => say
 /** A median, and the ends of the range where they differ. */
 export function spanText(span: Span | null, digits: number, write: (value: number, digits: number) => string): string {
   if (!span) return "–";
-  const [median, least, most] = span.map((value) => write(value, digits)) as [string, string, string];
+  const [median, least, most] = [write(span[0], digits), write(span[1], digits), write(span[2], digits)];
   return least === most ? median : `${median} (${least}–${most})`;
 }
 
@@ -63,7 +64,7 @@ export function chartsOf(
   lang: Lang,
   sweeps: readonly { swept: Swept; scene: string; samples: readonly Sample[] }[],
 ): Chart[] {
-  return (Object.keys(SWEPT) as Swept[]).flatMap((swept) =>
+  return keysOf(SWEPT).flatMap((swept) =>
     MEASURED.map((figure) => ({
       row: say(lang, swept),
       column: say(lang, figure),

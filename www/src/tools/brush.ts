@@ -146,8 +146,8 @@ export class EraserTool extends StrokeTool {
 /** Points from one end to the other, no farther apart than `step`. */
 function along(from: Point, to: Point, step: number): Point[] {
   const count = Math.min(400, Math.ceil(distance(from, to) / Math.max(0.05, step)));
-  return Array.from({ length: count + 1 }, (_, i) => {
+  return Array.from({ length: count + 1 }, (_, i): Point => {
     const t = count === 0 ? 1 : i / count;
-    return [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t] as Point;
+    return [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t];
   });
 }

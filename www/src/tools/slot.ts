@@ -78,13 +78,13 @@ function shapeOf(bench: Bench, side: Side): SlotShape {
 
 /** The side of the drag with more free ground for bays, and then with the freer aisle in front of them. */
 function sideOf(bench: Bench, from: Point, to: Point, swapped: boolean): Side {
-  const [right, left] = (["right", "left"] as const).map((side) => {
+  const roomAt = (side: Side): number => {
     const slots = slotRow(shapeOf(bench, side), from, to, side),
       aisle = aisleOf(bench, nth(slots, 0).heading, from, to);
     const free = slots.filter((slot) => !isTaken(bench, slotCentre({ ...slot, id: "" }))).length / slots.length;
     return 2 * free + (aisle.width > 0 ? aisle.free / aisle.width : 1);
-  }) as [number, number];
-  return left > right + CLEARLY !== swapped ? "left" : "right";
+  };
+  return roomAt("left") > roomAt("right") + CLEARLY !== swapped ? "left" : "right";
 }
 
 function rowDraft(bench: Bench, from: Point, to: Point, swapped: boolean): Draft {

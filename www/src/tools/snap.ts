@@ -36,6 +36,8 @@ export interface Snapped {
   guides: Guide[];
 }
 
+const both = (shift: (axis: 0 | 1) => Shift): [Shift, Shift] => [shift(0), shift(1)];
+
 /** The nearest corner within 8 px, else in line with one or on the cell grid, else the point. */
 export function snapPoint(bench: Bench, input: Input, skip?: string): Snapped {
   if (!snaps(bench, input)) return { at: input.at, guides: [] };
@@ -44,7 +46,7 @@ export function snapPoint(bench: Bench, input: Input, skip?: string): Snapped {
   const marks = marksOf(scene, skip === undefined ? [] : [skip]);
   const corner = nearest(marks, input.at);
   if (corner && distance(corner, input.at) <= reach) return { at: corner, guides: [{ from: corner, to: corner }] };
-  const [x, y] = ([0, 1] as const).map((axis) => lineUp(scene, marks, [input.at], axis, reach)) as [Shift, Shift];
+  const [x, y] = both((axis) => lineUp(scene, marks, [input.at], axis, reach));
   const at: Point = [input.at[0] + x.by, input.at[1] + y.by];
   return { at, guides: guidesTo(at, x, y) };
 }
@@ -62,7 +64,7 @@ export function snapMove(
     { scene } = bench.store.state;
   const [left, low, right, high] = [from.minX + by[0], from.minY + by[1], from.maxX + by[0], from.maxY + by[1]];
   const marks = marksOf(scene, skip);
-  const [x, y] = ([0, 1] as const).map((axis) =>
+  const [x, y] = both((axis) =>
     lineUp(
       scene,
       marks,
@@ -74,7 +76,7 @@ export function snapMove(
       axis,
       reach,
     ),
-  ) as [Shift, Shift];
+  );
   const middle: Point = [(left + right) / 2 + x.by, (low + high) / 2 + y.by];
   return { by: [by[0] + x.by, by[1] + y.by], guides: guidesTo(middle, x, y) };
 }
@@ -187,7 +189,7 @@ function align(bench: Bench, pose: Pose, other: Pose): SnappedPose {
   const reach = metresOf(bench, SNAP_PX) * 0.75;
   const x = Math.abs(pose.x - other.x) <= reach ? other.x : pose.x;
   const y = Math.abs(pose.y - other.y) <= reach ? other.y : pose.y;
-  const guides = x === other.x || y === other.y ? [{ from: [x, y] as Point, to: [other.x, other.y] as Point }] : [];
+  const guides: Guide[] = x === other.x || y === other.y ? [{ from: [x, y], to: [other.x, other.y] }] : [];
   const snapped = { ...pose, x, y };
   return { pose: snapped, goal: snapped, guides };
 }

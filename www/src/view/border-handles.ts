@@ -31,7 +31,7 @@ export function handlesOn(scene: Scene, view: View): BorderHandle[] {
     if (!edge) return [];
     const k = axisOf(side),
       along = 1 - k,
-      [a, b] = edge.map((p) => worldToScreen(view, ...p)) as [Point, Point];
+      [a, b] = [worldToScreen(view, ...edge[0]), worldToScreen(view, ...edge[1])];
     const size = [view.width, view.height] as const,
       low = Math.max(INSET_PX, Math.min(nth(a, along), nth(b, along))),
       high = Math.min(nth(size, along) - INSET_PX, Math.max(nth(a, along), nth(b, along)));

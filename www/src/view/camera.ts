@@ -121,8 +121,9 @@ const gripEnd = (pose: Pose, front: number): Point => fromPose(pose, front + STA
 /** The sweep of what the car can drive, the line of what it cannot. */
 function addPlan(points: Point[], { path, check }: Plan, vehicle: SceneGeometry["vehicle"]): void {
   for (let i = 0; i + 2 < path.length; i += 12) {
-    const [x, y, heading] = [path[i]!, path[i + 1]!, path[i + 2]!];
-    points.push(...(check.drivable ? footprint({ x, y, heading }, vehicle) : [[x, y] as Point]));
+    const [x = 0, y = 0, heading = 0] = path.subarray(i);
+    if (check.drivable) points.push(...footprint({ x, y, heading }, vehicle));
+    else points.push([x, y]);
   }
 }
 

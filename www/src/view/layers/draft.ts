@@ -217,7 +217,7 @@ function drawSlotRow(frame: Frame, { slots, from, to, aisle }: Extract<Preview, 
   inMetres(frame);
   const dividers = newPath();
   outlines.forEach((outline, i) => {
-    const [nearLeft, nearRight, farRight, farLeft] = outline as [Point, Point, Point, Point];
+    const [nearLeft, nearRight, farRight, farLeft] = outline;
     ctx.fillStyle = fade(colour.accent, i === outlines.length - 1 ? 0.04 : 0.09);
     ctx.fill(polygonPath(outline));
     linePath(i === 0 ? [nearLeft, farLeft, farRight, nearRight] : [farLeft, farRight], dividers);

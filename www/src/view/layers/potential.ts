@@ -41,10 +41,9 @@ function linesOf(
     values: number[] = [];
   for (let i = 0; i < data.length; i += step) values.push(data[i]!);
   values.sort((a, b) => a - b);
-  const [low, high] = [values[0] ?? 0, values.at(-1) ?? 1].map((value) => Math.sqrt(Math.max(0, value))) as [
-    number,
-    number,
-  ];
+  const rootOf = (value: number): number => Math.sqrt(Math.max(0, value)),
+    low = rootOf(values[0] ?? 0),
+    high = rootOf(values.at(-1) ?? 1);
   return Array.from({ length: LEVELS }, (_, i) => {
     const root = low + ((high - low) * (i + 0.5)) / LEVELS,
       path = newPath();

@@ -111,8 +111,7 @@ function shotsUpTo({ shots }: Arcs, count: number): Pick<Built, "shots" | "hits"
 }
 
 /** x, y, heading at its beginning, curvature, signed length as driven. */
-function addArc(path: Path2D, arc: Float64Array): void {
-  const [x, y, heading, curvature, length] = arc as unknown as [number, number, number, number, number];
+function addArc(path: Path2D, [x = 0, y = 0, heading = 0, curvature = 0, length = 0]: Float64Array): void {
   path.moveTo(x, y);
   if (Math.abs(curvature) < 1e-6) {
     path.lineTo(x + length * Math.cos(heading), y + length * Math.sin(heading));
