@@ -104,7 +104,7 @@ impl<'a> PlanPath<'a> {
             let is_free = |speed: f64| {
                 let Some(states) = path.run_states(i, speed, 0.0) else { return false };
                 let found = check(geometry, body, &states, limits);
-                found.keeps_limits && found.contacts.touching_frames == 0 && found.contacts.uncertified == 0
+                found.keeps_limits && found.contacts.are_none()
             };
             path.speeds[i] = SPEEDS.into_iter().find(|&speed| speed == 0.0 || is_free(speed)).unwrap_or(0.0);
         }

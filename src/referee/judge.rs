@@ -49,10 +49,7 @@ pub struct Judgement {
 impl Judgement {
     /// True if nothing is wrong: attained, no touching frame, everything between the frames certified, limits kept.
     pub fn passes(&self) -> bool {
-        self.attained
-            && self.keeps_limits
-            && self.contacts.touching_frames == 0
-            && self.contacts.uncertified == 0
+        self.attained && self.keeps_limits && self.contacts.are_none()
     }
 
     /// The verdict as plain data, with the names of the JS API.
@@ -299,7 +296,7 @@ mod tests {
             assert!((figures.length - 10.0).abs() < 1e-6 && figures.gear_changes == 0);
             assert!((figures.smoothness() - 50.0).abs() < 1e-5);
             assert!((figures.tpcap_cost() - 700.0).abs() < 1e-5);
-            assert!(got.keeps_limits && got.contacts.touching_frames == 0 && got.contacts.uncertified == 0);
+            assert!(got.keeps_limits && got.contacts.are_none());
             assert!(got.contacts.frames >= 6501);
             assert_eq!(got.attained, csv != STRAIGHT, "{:?}", got.model_error);
         }

@@ -23,7 +23,7 @@ const CONTACT: f64 = 1e-6;
 
 /// Contacts of a body along a motion.
 ///
-/// Without an overlap and with nothing uncertified the whole motion is free, not only the moments looked at.
+/// The whole motion counts, not only the moments looked at.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Contacts {
     /// Moments looked at.
@@ -37,6 +37,13 @@ pub struct Contacts {
     /// The least clearance measured, metres; infinite where nothing was. Between measured places it may be less, but
     /// not where that would touch.
     pub min_clearance: f64,
+}
+
+impl Contacts {
+    /// True if the whole motion is free: no moment touches, and every motion between two moments is certified.
+    pub fn are_none(&self) -> bool {
+        self.touching_frames == 0 && self.uncertified == 0
+    }
 }
 
 /// How far a point of the body moves at most from one pose to another on a straight motion of both, metres.
