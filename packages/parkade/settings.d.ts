@@ -148,7 +148,7 @@ export interface HybridSettings {
   directionChangeCost?: number;
   /** Leaving a slot is easier than finding it. */
   searchFrom?: "goal" | "start" | "both";
-  /** Practical avoids long reversing; comfort and classic replace the costs below. */
+  /** Practical avoids long reversing and many gear changes; comfort and classic replace the costs below. */
   profile?: "practical" | "shortest" | "comfort" | "classic";
   /** Cost of a metre in reverse. Usual range: 1 to 5. Default: 1. */
   reverseCost?: number;

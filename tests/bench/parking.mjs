@@ -129,8 +129,19 @@ const compared = rows.filter(({ best }) => best);
 for (const [what, side] of settings) {
   if (compared.length === 0) break;
   // No path to the very goal is shorter than the bound; the best known may end 0.3 m off.
-  const lengths = compared.map((row) => side(row).length / Math.max(row.best.length, row.bound));
-  goal(`H5 length over the best known, ${what}: worst`, [worst(lengths)], [1.05], [1], "x", 3);
+  const best = ({ best, bound, ...row }) => {
+    const hasFewest = side(row).changes <= best.changes;
+    return Math.max((hasFewest && best.lengthOfFewest) || best.length, bound);
+  };
+  const lengths = compared.map((row) => side(row).length / best(row));
+  goal(
+    `H5 length over the best known, or over that with the fewest gear changes where ours has as few, ${what}: worst`,
+    [worst(lengths)],
+    [1.05],
+    [1],
+    "x",
+    3,
+  );
   const extra = compared.map((row) => side(row).changes - row.best.changes);
   const more = extra.filter((n) => n > 0).length;
   goal(

@@ -81,7 +81,8 @@ fn the_profile_costs_no_path_and_never_more_than_it_saves() {
         }
         lot.check(&format!("seed {seed}"), &report.arcs);
         let far = far_reversed(&lot, &short.arcs);
-        assert!(report.cost <= short.cost + 0.5 * far + 0.5, "seed {seed}");
+        let many = arcs::direction_changes(&short.arcs).saturating_sub(2);
+        assert!(report.cost <= short.cost + 0.5 * far + 4.0 * f64::from(many) + 0.5, "seed {seed}");
     }
 }
 

@@ -54,7 +54,8 @@ json::words!(Heuristic: "max" = Max, "reeds-shepp" = ReedsShepp, "euclid" = Eucl
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Profile {
     /// As `shortest`, and a metre in reverse more than ten metres from both start and goal costs half as much again:
-    /// the car does not reverse across a whole lot to save a few metres.
+    /// the car does not reverse across a whole lot to save a few metres. Each gear change after the second costs four
+    /// metres more: a driver goes a little farther rather than back and forth again and again.
     #[default]
     Practical,
     /// As set one by one, by default length and a metre per gear change: the parking paper's measure.
@@ -75,7 +76,20 @@ impl Profile {
             Self::Shortest | Self::Classic => 0.0,
         }
     }
+
+    /// Extra cost of each gear change after the second, metres.
+    pub(super) fn many_changes(self) -> f64 {
+        match self {
+            Self::Practical | Self::Comfort => MANY_CHANGES_COST,
+            Self::Shortest | Self::Classic => 0.0,
+        }
+    }
 }
+
+/// Gear changes of a path that has few of them, at most.
+pub(super) const FEW_CHANGES: u32 = 2;
+/// Price of each more, metres: with the usual metre it is about what a car could drive meanwhile.
+pub(super) const MANY_CHANGES_COST: f64 = 4.0;
 
 parameters! {
     /// Settings of hybrid A*.
@@ -116,8 +130,8 @@ parameters! {
         profile: Profile = Profile::Practical,
             spec("profile", Form::Choice(&["practical", "shortest", "comfort", "classic"]), "1", false,
                  ["Cost profile", "代价方案"],
-                 ["Practical avoids long reversing; comfort and classic replace the costs below.",
-                  "practical 避免长距离倒车；comfort 与 classic 取代以下各项代价。"]);
+                 ["Practical avoids long reversing and many gear changes; comfort and classic replace the costs below.",
+                  "practical 避免长距离倒车和频繁换挡；comfort 与 classic 取代以下各项代价。"]);
         /// Weight of a metre in reverse.
         reverse_cost: f64 = 1.0,
             spec("reverseCost", Form::Number(1.0, 5.0, 0.1), "1", true,
@@ -274,8 +288,7 @@ pub(super) struct Level {
     pub(super) extra_change: f64,
     /// True if nearness to obstacles costs nothing while searching.
     pub(super) plain: bool,
-    /// States whose estimated total cost reaches this bound are left out.
-    #[cfg(feature = "complete")]
+    /// States whose cost reaches this bound are left out.
     pub(super) bound: f64,
     /// Every so-many-th state is tried with a curve to the target: on a fine lattice neighbours see the same.
     pub(super) connect_every: u32,
@@ -375,7 +388,6 @@ impl Config {
             far_reverse: 0.0,
             extra_change: if number > 0 && !shuffle { 2.0 } else { 0.0 },
             plain: false,
-            #[cfg(feature = "complete")]
             bound: f64::INFINITY,
             connect_every,
             shuffle,

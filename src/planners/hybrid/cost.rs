@@ -8,6 +8,7 @@
 //! + steerChangeCost · |Δκ|·R             where the curvature changes
 //! + obstacleCost · ∫ (1 − c/D)² ds       where the clearance c is below D = obstacleDistance
 //! + the profile's price · ds             in reverse, more than 10 m from both ends
+//! + the profile's price                  for each gear change after the second
 //! + w · (weight − 1) ds                  over cells with a weight
 //! ```
 //!
@@ -22,8 +23,8 @@
 //! A gear change and a movement of the wheel belong to the joint of two arcs. That is why a state knows the arc by
 //! which it was reached, and why the cost of a path can be summed arc by arc.
 
-use super::config::{Config, Level};
-use crate::geometry::arcs::Arc;
+use super::config::{Config, FEW_CHANGES, Level};
+use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::Word;
 use crate::geometry::{Point, Pose};
 use crate::vehicle::collision::CollisionChecker;
@@ -44,6 +45,8 @@ pub(super) struct CostModel {
     reverse: f64,
     /// Extra weight of a metre in reverse away from both ends.
     far_reverse: f64,
+    /// Extra cost of each gear change of a path after the second; a search does not count them.
+    many_changes: f64,
     /// Start and goal.
     ends: [Point; 2],
     change: f64,
@@ -84,6 +87,7 @@ impl CostModel {
             mirrored: false,
             reverse: config.reverse_cost,
             far_reverse: config.profile.far_reverse(),
+            many_changes: config.profile.many_changes(),
             ends: ends.map(Pose::point),
             change: config.direction_change_cost,
             steer: config.steer_cost,
@@ -107,7 +111,8 @@ impl CostModel {
     /// for, and obstacles less.
     pub(super) fn searching(self, level: &Level) -> Self {
         let obstacle = if level.plain { 0.0 } else { self.obstacle };
-        Self { far_reverse: level.far_reverse, change: self.change + level.extra_change, obstacle, ..self }
+        let change = self.change + level.extra_change;
+        Self { far_reverse: level.far_reverse, many_changes: 0.0, change, obstacle, ..self }
     }
 
     /// True if nearness to obstacles costs something.
@@ -185,7 +190,8 @@ impl CostModel {
     /// What a report's cost is: every term, sampled afresh along the path as driven.
     pub(super) fn path(&self, probe: &CollisionChecker, start: Pose, arcs: &[Arc]) -> f64 {
         let (mut pose, mut before) = (start, Motion::default());
-        let mut cost = 0.0;
+        let many = arcs::direction_changes(arcs).saturating_sub(FEW_CHANGES);
+        let mut cost = self.many_changes * f64::from(many);
         for arc in arcs {
             cost += self.arc(before, arc) + self.places(probe, pose, arc);
             before = Motion::after(arc);

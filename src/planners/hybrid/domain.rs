@@ -234,7 +234,6 @@ impl<'a> StateLattice<'a> {
             for length in self.lengths(pose, primitive).into_iter().filter(|&length| length != 0.0) {
                 let arc = Arc { length, ..*primitive };
                 let cost = self.costs.arc(motion, &arc);
-                #[cfg(feature = "complete")]
                 if from.g + cost >= self.level.bound {
                     continue;
                 }
@@ -335,7 +334,6 @@ impl Domain for StateLattice<'_> {
             }
             return None;
         }
-        #[cfg(feature = "complete")]
         let bound = bound.min(self.level.bound);
         let mut found = core::mem::take(&mut self.words);
         found.clear();

@@ -20,7 +20,7 @@
 use core::cell::RefCell;
 
 use super::analytic_expansion::Recorder;
-use super::config::Level;
+use super::config::{FEW_CHANGES, Level};
 use super::domain::{Setting, StateLattice};
 use super::question::{Search, Work};
 #[cfg(feature = "complete")]
@@ -51,6 +51,8 @@ const FAR_REVERSE_PRICE: f64 = 5.0;
 const FAR_REVERSE_WEIGHT: f64 = 2.0;
 /// Expansions of that search for each metre that it may save.
 const FAR_REVERSE_EFFORT: f64 = 50.0;
+/// Expansions of a search for fewer gear changes, at most.
+const FEWER_CHANGES_EXPANSIONS: u32 = 10_000;
 
 /// Margins that a path is tried with, too, where less is asked for, metres.
 const COMPARED_MARGINS: [f64; 2] = [0.05, 0.1];
@@ -139,6 +141,23 @@ impl Search<'_> {
             };
             this.retry(level, Some(work.report.status), work);
         }
+        self.arrived(&work.report.arcs).fewer_changes(level, work);
+    }
+
+    /// Searches once more where the path changes gear often: for one that is cheaper with the price of that.
+    fn fewer_changes(&self, level: Level, work: &mut Work) {
+        let price = self.config.profile.many_changes();
+        if price == 0.0 || arcs::direction_changes(&work.report.arcs) <= FEW_CHANGES {
+            return;
+        }
+        let level = Level {
+            weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
+            extra_change: price,
+            max_expansions: level.max_expansions.min(FEWER_CHANGES_EXPANSIONS),
+            ..level
+        };
+        let bound = self.costs().searching(&level).path(self.probe, self.start, &work.report.arcs);
+        self.retry(Level { bound, ..level }, Some(work.report.status), work);
     }
 
     /// Searches a level and keeps the cheaper answer: its own, or the earlier one, whose status is then `before`.

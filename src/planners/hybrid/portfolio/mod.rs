@@ -33,7 +33,7 @@ use super::report::{Report, Status};
 use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::search::Progress;
-use members::{FIRST_SLICE, From, Member, arrange, members};
+use members::{FIRST_SLICE, From, MANY_CHANGES, Member, arrange, members};
 #[cfg(feature = "complete")]
 use members::{in_open_space, rocking};
 
@@ -41,8 +41,6 @@ use members::{in_open_space, rocking};
 const TOTAL_EXPANSIONS: u32 = 150_000;
 /// Expansions for more margin once there is a path, besides as many as it took.
 const MORE_MARGIN_EXPANSIONS: u32 = 200_000;
-/// With more gear changes than this, finer steps may find a path with fewer.
-const MANY_CHANGES: u32 = 4;
 /// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are
 /// many gear changes, or no way.
 const WIDE_SEARCH_POSES: u32 = 1000;

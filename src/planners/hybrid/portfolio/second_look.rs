@@ -1,54 +1,82 @@
-//! A second look where a path changes gear often: one more search in which a change is dear.
+//! A second look where a path changes gear often: more searches in which a change is dear.
 //!
 //! Whoever answers first may rock where another drives on: in a tight slot coarse lattices soon end, and the first that
 //! gets out takes two changes where a finer one takes one. So the path is held against one search of a very fine
 //! lattice with the same margin and from the same end. A gear change costs several metres in it, and what cannot be
 //! cheaper by that price than the known path is left out, so that the search soon ends where there is nothing to gain.
+//!
+//! Margin costs gear changes, too: with 10 cm a car may rock ten times where 3 cm let it in with four. So a path with
+//! many changes gives up margin, down to what is comfortable, where that saves several of them.
 
 use super::Floods;
-use super::members::FIRST_SLICE;
+use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, MANY_CHANGES};
 use crate::geometry::arcs;
-use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, Level};
+use crate::planners::hybrid::config::{FEW_CHANGES, FIRST_SHUFFLING_LEVEL, Level, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
-use crate::planners::hybrid::report::Status;
+use crate::planners::hybrid::report::{Report, Status};
 
-/// With more gear changes than this a path is held against another.
-const FEW_CHANGES: u32 = 2;
-/// Extra cost of a gear change in the search, metres.
-const EXTRA_CHANGE_COST: f64 = 4.0;
-/// Weight of the estimate in it.
+/// Weight of the estimate.
 const WEIGHT: f64 = 2.0;
-/// Its expansions: as many as the path took, but so many at least and at most.
+/// Expansions of the fine search: as many as the path took, but so many at least and at most.
 const EXPANSIONS: [u32; 2] = [FIRST_SLICE, 50_000];
 /// The level that is refined for it, and which of the refined lattices it takes: the one with the smallest cells.
 const LEVEL: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
+/// Less margin must save one of so many gear changes.
+const SAVED_SHARE: u32 = 3;
+/// Expansions of each level's search with less margin, coarse levels first.
+const TRADE_EXPANSIONS: [u32; 3] = [5000, 20_000, 20_000];
 
-/// Replaces the path in `work`, where it changes gear often, by a cheaper one with fewer changes.
+/// Replaces the path in `work`, where it changes gear often, by one with fewer changes: by a cheaper one with the same
+/// margin, or by one with less.
 pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     let config = search.config;
-    let changes = arcs::direction_changes(&work.report.arcs);
-    if changes <= FEW_CHANGES || config.levels() <= FIRST_SHUFFLING_LEVEL {
+    if changes(work.report) <= FEW_CHANGES || config.levels() <= FIRST_SHUFFLING_LEVEL {
         return;
     }
+    let (number, refinement) = LEVEL;
+    let [least, most] = EXPANSIONS;
+    let level = config.level(number).refined(refinement, config);
+    let most = work.report.expanded.clamp(least, most);
     let Some(margin) = floods.margins.iter().position(|&margin| margin == work.report.margin) else { return };
+    attempt((search, floods), (level, number, most), margin, 1, work);
+    let comfortable = floods.margins.iter().position(|&margin| margin == COMFORTABLE_MARGIN);
+    let Some(comfortable) = comfortable.filter(|&comfortable| comfortable > margin) else { return };
+    for (number, most) in (0..).zip(TRADE_EXPANSIONS) {
+        if changes(work.report) > MANY_CHANGES && work.report.margin != COMFORTABLE_MARGIN {
+            let saved = changes(work.report).div_ceil(SAVED_SHARE);
+            attempt((search, floods), (config.level(number), number, most), comfortable, saved, work);
+        }
+    }
+}
+
+fn changes(report: &Report) -> u32 {
+    arcs::direction_changes(&report.arcs)
+}
+
+/// Takes the path of one more search, if it costs less and saves so many gear changes.
+fn attempt(
+    (search, floods): (Search, &Floods),
+    (level, number, most): (Level, u32, u32),
+    margin: usize,
+    saved: u32,
+    work: &mut Work,
+) {
+    let config = search.config;
     let is_swapped = work.report.from_goal != search.mirrored;
     let flood = floods.get(margin, is_swapped);
     let search = if is_swapped { search.swapped(flood) } else { Search { flood, ..search } };
     let counters = work.report.counters();
     let known = core::mem::replace(work.report, counters);
-    let (number, refinement) = LEVEL;
-    (work.report.margin, work.report.level) = (known.margin, number);
-    let level = config.level(number).refined(refinement, config);
-    let [least, most] = EXPANSIONS;
+    (work.report.margin, work.report.level) = (floods.margin(margin), number);
     let level = Level {
-        max_expansions: level.max_expansions.min(known.expanded.clamp(least, most)),
+        max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
-        extra_change: EXTRA_CHANGE_COST,
-        bound: known.cost + EXTRA_CHANGE_COST * f64::from(changes),
+        extra_change: MANY_CHANGES_COST,
         ..level
     };
-    let is_better = search.level(level, work)
-        && arcs::direction_changes(&work.report.arcs) < changes
+    let bound = search.costs().searching(&level).path(search.probe, search.start, &known.arcs);
+    let is_better = search.level(Level { bound, ..level }, work)
+        && changes(work.report) + saved <= changes(&known)
         && work.report.cost < known.cost;
     if is_better {
         work.report.status = Status::Suboptimal;
