@@ -118,3 +118,42 @@ test("a drawing to scale is saved as SVG, page, DXF and CSV", async ({ page }) =
     expect(file.suggestedFilename().endsWith(end), button).toBe(true);
   }
 });
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 } });
+
+  test("the whole lot stands above the table of bays", async ({ page }) => {
+    await open(page);
+    await drop(page, "lot.dxf", FILES["lot.dxf"]!);
+    await dialogOf(page).getByRole("button", { name: "Open", exact: true }).click();
+    await settled(page);
+    await page.getByRole("button", { name: "More" }).click();
+    await page.getByText("Check all bays").click();
+    await expect(page.locator("parkade-bays .sum")).toContainText("reachable");
+    const { map, panel, lot } = await page.evaluate(() => {
+      interface Viewed extends HTMLElement {
+        store: { state: { camera: { x: number; y: number; scale: number }; scene: Scenario } };
+      }
+      const host = document.querySelector<Viewed>("parkade-playground")!,
+        { camera, scene } = host.store.state,
+        map = host.shadowRoot!.querySelector("parkade-stage")!.getBoundingClientRect(),
+        panel = host.shadowRoot!.querySelector("parkade-bays")!.getBoundingClientRect(),
+        { origin, width, height, resolution } = scene.map,
+        [left, bottom] = origin!;
+      const across = (x: number): number => map.left + map.width / 2 + (x - camera.x) * camera.scale,
+        up = (y: number): number => map.top + map.height / 2 - (y - camera.y) * camera.scale;
+      const lot = {
+        left: across(left),
+        right: across(left + width * resolution!),
+        top: up(bottom + height * resolution!),
+        bottom: up(bottom),
+      };
+      return { map: map.toJSON() as DOMRect, panel: panel.toJSON() as DOMRect, lot };
+    });
+    expect(lot.left).toBeGreaterThanOrEqual(map.left);
+    expect(lot.right).toBeLessThanOrEqual(map.right);
+    expect(lot.top).toBeGreaterThanOrEqual(map.top);
+    expect(lot.bottom).toBeLessThanOrEqual(panel.top);
+    expect(lot.right - lot.left > map.width / 2 || lot.bottom - lot.top > (panel.top - map.top) / 2).toBe(true);
+  });
+});

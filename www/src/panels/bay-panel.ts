@@ -12,6 +12,7 @@ import type { Scene, State } from "../store";
 import { countBays, gradeOf, type AskedVehicle, type BayCheck, type BayEntry } from "../store/bay-check";
 import { controls } from "../styles/controls";
 import { icon } from "../styles/icons";
+import { fitMap, LINE } from "../view/camera";
 import { INK, RAMP } from "../view/layers/bays";
 import { AppElement } from "./base";
 import { BAY_COLUMNS, bayCsv, bayLines, UNITS, type BayColumn, type BayLine, type BayOrder } from "./bay-rows";
@@ -73,6 +74,7 @@ export class BayPanel extends AppElement {
   /** The scene as a plan's opening made it, and the one before. */
   private visited: { from: Scene; to: Scene } | null = null;
   private unwatch: (() => void) | null = null;
+  private readonly resized = new ResizeObserver(() => this.fitLot());
 
   constructor() {
     super();
@@ -116,6 +118,7 @@ export class BayPanel extends AppElement {
     this.unwatch?.();
     this.checker?.stop();
     this.checker = null;
+    this.resized.disconnect();
     this.hidden = true;
     this.visited = null;
     this.opened = false;
@@ -126,6 +129,7 @@ export class BayPanel extends AppElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.resized.disconnect();
     this.unwatch?.();
     this.checker?.stop();
     this.checker = null;
@@ -150,6 +154,18 @@ export class BayPanel extends AppElement {
     }
     this.opened = false;
     this.app.store.set({ planners: ["hybrid"], focus: "hybrid", mode: "overlay", camera: null });
+    if (host.compact) this.resized.observe(this);
+  }
+
+  /** On a phone the whole lot stands in what the table leaves of the map. */
+  private fitLot(): void {
+    const map = this.host.shadowRoot?.querySelector("parkade-stage")?.getBoundingClientRect();
+    if (!map || this.hidden || this.opened || !this.host.compact) return;
+    const { width, height } = map,
+      covered = this.classList.contains("phone") ? Math.max(0, map.bottom - this.getBoundingClientRect().top) : 0,
+      { scene } = this.app.store.state;
+    const camera = fitMap(scene, width, height - covered - LINE);
+    this.app.store.set({ camera: { ...camera, y: camera.y + (LINE - covered) / 2 / camera.scale } });
   }
 
   private onState(state: State, previous: State): void {
