@@ -1281,8 +1281,9 @@ export interface Judgement {
   keepsLimits: boolean;
   /** Moments at which the whole body was held against the obstacles: every millisecond, every row and the end. */
   frames: number;
+  /** Those at which it overlaps something, and moments between two of them where an overlap was found. */
   touchingFrames: number;
-  /** Stretches between two frames that no clearance certifies as free. */
+  /** Stretches between two frames that are neither certified as free nor known to touch. */
   uncertified: number;
   firstContact: { obstacle: string; index: number; pose: Pose; t: number } | null;
   /** The least clearance that was measured, metres. */

@@ -28,9 +28,9 @@ const CONTACT: f64 = 1e-6;
 pub struct Contacts {
     /// Moments looked at.
     pub frames: u32,
-    /// Moments at which the body overlaps something.
+    /// Moments at which the body overlaps something, those between two of the given ones too where one was looked at.
     pub touching_frames: u32,
-    /// Motions between two moments that are neither certified free nor touching at an end.
+    /// Motions between two moments that are neither certified free nor known to touch.
     pub uncertified: u32,
     /// When the body first overlaps what, and where.
     pub first: Option<(f64, Owner, Pose)>,
@@ -68,26 +68,21 @@ pub fn scan(vehicle: &Vehicle, body: &Body, moments: &[(f64, Pose)]) -> Contacts
             left -= moved;
             continue;
         }
-        let here = measure(body, pose, &mut found);
-        if here.is_none() {
-            found.touching_frames += 1;
-            if found.first.is_none() {
-                found.first = body.hit(pose).map(|owner| (t, owner, pose));
-            }
-        }
+        let here = measure(body, (t, pose), &mut found);
         let clearance = here.unwrap_or(0.0);
         if !touched && here.is_some() && left + clearance + CONTACT < moved {
-            let ends = [(moments[i - 1].1, left), (pose, clearance)];
-            found.uncertified += u32::from(!certified(vehicle, body, ends, &mut found));
+            certify(vehicle, body, [(moments[i - 1], left), ((t, pose), clearance)], &mut found);
         }
         (left, touched) = (clearance, here.is_none());
     }
     found
 }
 
-/// The clearance at a pose; `None` where the body overlaps something.
-fn measure(body: &Body, pose: Pose, found: &mut Contacts) -> Option<f64> {
-    if body.hit(pose).is_some() {
+/// The clearance at a moment; `None` where the body overlaps something, which is noted.
+fn measure(body: &Body, (t, pose): (f64, Pose), found: &mut Contacts) -> Option<f64> {
+    if let Some(owner) = body.hit(pose) {
+        found.touching_frames += 1;
+        found.first.get_or_insert((t, owner, pose));
         found.min_clearance = 0.0;
         return None;
     }
@@ -96,25 +91,60 @@ fn measure(body: &Body, pose: Pose, found: &mut Contacts) -> Option<f64> {
     Some(clearance)
 }
 
-/// True if the body is free all the way between two poses with clearances, by bisection. A part shorter than
-/// [`SHORTEST`] that is still open is not certified: the body is within micrometres of touching there.
-fn certified(vehicle: &Vehicle, body: &Body, ends: [(Pose, f64); 2], found: &mut Contacts) -> bool {
+/// Looks between two moments with clearances, by bisection, and notes what it finds: nothing where the body is free all
+/// the way, else the overlap, or a motion that is not certified. Such a part is shorter than [`SHORTEST`]: the body is
+/// within micrometres of touching there.
+fn certify(vehicle: &Vehicle, body: &Body, ends: [((f64, Pose), f64); 2], found: &mut Contacts) {
     let mut parts = vec![ends];
     while let Some([(from, before), (to, after)]) = parts.pop() {
-        let moved = displacement(vehicle, from, to);
+        let moved = displacement(vehicle, from.1, to.1);
         if before + after + CONTACT >= moved {
             continue;
         }
         if moved < SHORTEST {
-            return false;
+            found.uncertified += 1;
+            return;
         }
         let middle = Pose::new(
-            f64::midpoint(from.x, to.x),
-            f64::midpoint(from.y, to.y),
-            f64::midpoint(from.heading, to.heading),
+            f64::midpoint(from.1.x, to.1.x),
+            f64::midpoint(from.1.y, to.1.y),
+            f64::midpoint(from.1.heading, to.1.heading),
         );
-        let Some(clearance) = measure(body, middle, found) else { return false };
+        let middle = (f64::midpoint(from.0, to.0), middle);
+        let Some(clearance) = measure(body, middle, found) else { return };
         parts.extend([[(middle, clearance), (to, after)], [(from, before), (middle, clearance)]]);
     }
-    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+    use crate::scenario::catalog;
+    use crate::scenario::resolve::{Form, Geometry, Shape};
+
+    #[test]
+    fn an_overlap_between_two_frames_is_told_and_a_touch_is_not_certified() {
+        let scene = catalog::scenario("perpendicular").unwrap().geometry().unwrap();
+        let (vehicle, at) = (scene.vehicle, scene.start.point());
+        // Halfway on this turn the left front corner is farthest to the east, by 20 µm.
+        let reach = math::hypot(vehicle.rear_to_front, vehicle.width / 2.0);
+        let aside = math::atan2(vehicle.width / 2.0, vehicle.rear_to_front);
+        let moments = [-0.003, 0.003].map(|turn| (turn, Pose::new(at.x, at.y, turn - aside)));
+        let wall_at = |depth: f64| {
+            let x = at.x + reach - depth;
+            let form = Form::Segment(Point::new(x, at.y - 1.0), Point::new(x, at.y + 1.0));
+            let shapes = vec![Shape { owner: Owner::Obstacle(0), form }];
+            scan(&vehicle, &Body::new(&Geometry { shapes, ..scene.clone() }), &moments)
+        };
+        let through = wall_at(1e-5);
+        assert_eq!((through.frames, through.touching_frames, through.uncertified), (2, 1, 0));
+        let (t, owner, pose) = through.first.unwrap();
+        assert_eq!((owner, through.min_clearance), (Owner::Obstacle(0), 0.0));
+        assert!(t.abs() < 1e-12 && (pose.heading + aside).abs() < 1e-12, "{t} {pose:?}");
+        let touch = wall_at(0.0);
+        assert_eq!((touch.touching_frames, touch.uncertified, touch.first), (0, 1, None));
+        let beside = wall_at(-0.02);
+        assert_eq!((beside.touching_frames, beside.uncertified, beside.first), (0, 0, None));
+    }
 }
