@@ -55,6 +55,7 @@ fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {
 fn code_of(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect();
     let text = lines.join("\n");
+    let text = text.replace("#[cfg(all(test, feature = \"complete\"))]", "#[cfg(test)]");
     let mut code = String::new();
     let mut rest = text.as_str();
     while let Some(at) = rest.find("#[cfg(test)]\nmod ") {
@@ -91,67 +92,115 @@ fn paths_of(tree: &str) -> Vec<String> {
     paths
 }
 
-/// Everything that a file's code names from the crate's root: by `use`, which may be grouped, and in place.
-fn used_by(code: &str, module: &[String]) -> Vec<String> {
-    let mut paths = Vec::new();
-    let mut rest = code;
-    while let Some(at) = rest.find("use ") {
-        let is_word = rest[..at].chars().last().is_none_or(|c| c.is_whitespace() || c == ')');
-        let tail = &rest[at + 4..];
-        let end = tail.find(';').unwrap_or(tail.len());
-        if is_word {
-            paths.extend(paths_of(&tail[..end]));
-        }
-        rest = &tail[if is_word { end } else { 0 }..];
-    }
-    for root in ["crate::", "super::"] {
-        let in_place = code.match_indices(root).filter(|(at, _)| !code[..*at].ends_with([':', '$']));
-        paths.extend(in_place.map(|(at, _)| {
-            let path = code[at..].chars().take_while(|&c| c.is_alphanumeric() || c == '_' || c == ':');
-            path.collect()
-        }));
-    }
-    paths.iter().filter_map(|path| first_module(path, module)).filter(|name| !name.is_empty()).collect()
+/// What a file of the crate names.
+struct Source {
+    /// The name that each binds, and the path from the crate's root.
+    imports: Vec<(String, Vec<String>)>,
+    /// Every path from the crate's root that the file names, by `use` or in place. Not those that it only passes on.
+    used: Vec<Vec<String>>,
 }
 
-/// The crate's module at the root of a path that is written in `module`.
-fn first_module(path: &str, module: &[String]) -> Option<String> {
-    let mut steps = path.split("::").peekable();
-    if steps.next_if_eq(&"crate").is_some() {
-        return steps.next().map(str::to_owned);
+impl Source {
+    fn new(code: &str, module: &[String], is_module: &dyn Fn(&[String]) -> bool) -> Self {
+        let absolute = |path: &str| absolute(path, module, is_module);
+        let (mut imports, mut body, mut rest) = (Vec::new(), String::new(), code);
+        while let Some(at) = rest.find("use ") {
+            let before = &rest[..at];
+            let is_word = before.chars().last().is_none_or(|c| c.is_whitespace() || c == ')');
+            body += before;
+            let tail = &rest[at + 4..];
+            let end = if is_word { tail.find(';').unwrap_or(tail.len()) } else { 0 };
+            let line = before.rsplit('\n').next().unwrap_or_default();
+            let is_passed_on = line.trim_start().starts_with("pub");
+            for path in paths_of(&tail[..end]) {
+                let (path, alias) = path.split_once(" as ").unwrap_or((&path, ""));
+                let path = path.strip_suffix("::self").unwrap_or(path);
+                let name =
+                    if alias.is_empty() { path.rsplit("::").next().unwrap_or_default() } else { alias };
+                imports.extend(absolute(path).map(|path| (name.to_owned(), path, is_passed_on)));
+            }
+            rest = &tail[end..];
+        }
+        body += rest;
+        let words: BTreeSet<&str> = body.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+        let named = imports.iter().filter(|(name, _, is_passed_on)| !is_passed_on || words.contains(&**name));
+        let mut used: Vec<_> = named.map(|(_, path, _)| path.clone()).collect();
+        // Where a name may be seen is no use of it.
+        let body = body.replace("(in crate::", "(in ");
+        let tokens = body.split(|c: char| !c.is_alphanumeric() && !"_:$".contains(c));
+        used.extend(tokens.filter(|token| token.contains("::")).filter_map(absolute));
+        let imports = imports.into_iter().map(|(name, path, _)| (name, path)).collect();
+        Self { imports, used }
     }
-    let mut outer = module.len();
-    steps.peek().filter(|&&step| step == "super")?;
-    while steps.next_if_eq(&"super").is_some() {
-        outer = outer.checked_sub(1)?;
+}
+
+/// A path that is written in `module`, from the crate's root; none where it leads to another crate or to a name of its
+/// own.
+fn absolute(path: &str, module: &[String], is_module: &dyn Fn(&[String]) -> bool) -> Option<Vec<String>> {
+    let steps: Vec<&str> = path.split("::").map(str::trim).filter(|step| !step.is_empty()).collect();
+    let outer = steps.iter().take_while(|&&step| step == "super").count();
+    let (base, rest) = match steps.first()? {
+        &"crate" => (&module[..0], &steps[1..]),
+        &"self" => (module, &steps[1..]),
+        &"super" => (&module[..module.len().checked_sub(outer)?], &steps[outer..]),
+        &child if is_module(&[module, &[child.to_owned()]].concat()) => (module, &steps[..]),
+        _ => return None,
+    };
+    Some(base.iter().cloned().chain(rest.iter().map(|&step| step.to_owned())).collect())
+}
+
+/// The files of the crate by their modules, without those of tests.
+fn sources() -> BTreeMap<Vec<String>, Source> {
+    let folder = root().join("src");
+    let mut files = Vec::new();
+    rust_files(&folder, &mut files);
+    let modules: BTreeMap<Vec<String>, PathBuf> = files
+        .into_iter()
+        .map(|file| (module_of(file.strip_prefix(&folder).unwrap()), file))
+        .filter(|(module, _)| !module.iter().any(|step| step == "tests"))
+        .collect();
+    let is_module = |path: &[String]| modules.contains_key(path);
+    let source = |(module, file): (&Vec<String>, &PathBuf)| {
+        (module.clone(), Source::new(&code_of(&read(file)), module, &is_module))
+    };
+    modules.iter().map(source).collect()
+}
+
+/// The module whose file defines what a path from the crate's root leads to.
+fn home(path: &[String], sources: &BTreeMap<Vec<String>, Source>) -> Vec<String> {
+    let mut module = Vec::new();
+    for (at, step) in path.iter().enumerate() {
+        let inner = [&module[..], &[step.clone()]].concat();
+        if sources.contains_key(&inner) {
+            module = inner;
+            continue;
+        }
+        let passed_on = sources[&module].imports.iter().find(|(name, _)| name == step);
+        return passed_on.map_or(module, |(_, to)| home(&[to, &path[at + 1..]].concat(), sources));
     }
-    if outer == 0 { steps.next().map(str::to_owned) } else { module.first().cloned() }
+    module
 }
 
 /// The path of a file's module below the crate's root.
 fn module_of(inside: &Path) -> Vec<String> {
     let mut module: Vec<String> = inside.iter().map(|step| stem(Path::new(step))).collect();
-    module.pop_if(|last| last == "mod");
+    module.pop_if(|last| last == "mod" || last == "lib");
     module
 }
 
 #[test]
 fn imports_point_one_way() {
-    let (layers, source) = (layers(), root().join("src"));
+    let layers = layers();
     let rank = |module: &str| layers.iter().position(|layer| layer == module);
-    let mut files = Vec::new();
-    rust_files(&source, &mut files);
     let (mut seen, mut wrong) = (0, Vec::new());
-    for file in files {
-        let inside = file.strip_prefix(&source).unwrap();
-        let module = module_of(inside);
-        let Some(own) = rank(&module[0]) else { continue };
-        for used in used_by(&code_of(&read(&file)), &module) {
-            let Some(other) = rank(&used) else { continue };
+    for (module, source) in sources() {
+        let Some(own) = module.first().and_then(|layer| rank(layer)) else { continue };
+        for used in source.used.iter().filter_map(|path| path.first()) {
+            let Some(other) = rank(used) else { continue };
             seen += 1;
             let is_allowed = other <= own && (module[0] != "search" || used == "search" || used == "error");
             if !is_allowed {
-                wrong.push(format!("{}: {} uses {used}", inside.display(), module[0]));
+                wrong.push(format!("{} uses {used}", module.join("::")));
             }
         }
     }
@@ -159,49 +208,42 @@ fn imports_point_one_way() {
     assert!(seen > 500, "found only {seen} uses: is the test looking in the right place?");
 }
 
-/// The files beside a file that its code names by `super::…`.
-fn siblings_used(code: &str, names: &BTreeSet<String>) -> BTreeSet<String> {
-    let after = code.split("super::").skip(1).flat_map(|rest| {
-        let tree = rest.split(';').next().unwrap_or_default();
-        if let Some(group) = tree.strip_prefix('{') {
-            paths_of(group.trim_end_matches('}'))
-        } else {
-            vec![rest.chars().take_while(|&c| c.is_alphanumeric() || c == '_').collect()]
-        }
-    });
-    let first = |path: String| path.split([':', ',', ' ']).next().unwrap_or_default().trim().to_owned();
-    after.map(first).filter(|name| names.contains(name)).collect()
+/// All that a file uses, and what those use, and so on.
+fn reach(file: &str, uses: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<String> {
+    let (mut seen, mut todo) = (BTreeSet::new(), vec![file.to_owned()]);
+    while let Some(file) = todo.pop() {
+        let new: Vec<String> = uses[&file].difference(&seen).cloned().collect();
+        seen.extend(new.iter().cloned());
+        todo.extend(new);
+    }
+    seen
+}
+
+/// The groups of files of which each uses, by way of others, all of its group.
+fn circles(uses: &BTreeMap<String, BTreeSet<String>>) -> BTreeSet<BTreeSet<String>> {
+    let reaches: BTreeMap<&String, BTreeSet<String>> =
+        uses.keys().map(|file| (file, reach(file, uses))).collect();
+    let circle = |(file, used): (&&String, &BTreeSet<String>)| {
+        used.iter().filter(|other| reaches[other].contains(*file)).cloned().collect::<BTreeSet<_>>()
+    };
+    reaches.iter().map(circle).filter(|circle| !circle.is_empty()).collect()
+}
+
+/// Which files each file uses.
+fn uses(sources: &BTreeMap<Vec<String>, Source>) -> BTreeMap<String, BTreeSet<String>> {
+    let used_by = |(module, source): (&Vec<String>, &Source)| {
+        let homes = source.used.iter().map(|path| home(path, sources)).filter(|home| home != module);
+        (module.join("::"), homes.map(|home| home.join("::")).collect())
+    };
+    sources.iter().map(used_by).collect()
 }
 
 #[test]
-fn files_of_a_folder_use_each_other_one_way() {
-    let source = root().join("src");
-    let mut files = Vec::new();
-    rust_files(&source, &mut files);
-    let mut folders: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
-    for file in files.into_iter().filter(|file| !["mod", "lib", "tests"].contains(&stem(file).as_str())) {
-        folders.entry(file.parent().unwrap().to_owned()).or_default().push(file);
-    }
-    let (mut seen, mut wrong) = (0, Vec::new());
-    for (folder, files) in folders {
-        let names: BTreeSet<String> = files.iter().map(|file| stem(file)).collect();
-        let mut uses: BTreeMap<String, BTreeSet<String>> =
-            files.iter().map(|file| (stem(file), siblings_used(&code_of(&read(file)), &names))).collect();
-        seen += uses.values().map(BTreeSet::len).sum::<usize>();
-        // Whoever uses nothing that is left is in no circle.
-        while let Some(free) = uses.iter().find(|used| used.1.is_empty()).map(|used| used.0.clone()) {
-            uses.remove(&free);
-            for used in uses.values_mut() {
-                used.remove(&free);
-            }
-        }
-        let place = folder.strip_prefix(&source).unwrap().display().to_string();
-        if !uses.is_empty() {
-            wrong.push(format!("{place}: {uses:?}"));
-        }
-    }
-    assert_eq!(wrong, Vec::<String>::new());
-    assert!(seen > 150, "found only {seen} uses: is the test looking in the right place?");
+fn no_files_use_each_other_in_a_circle() {
+    let uses = uses(&sources());
+    let seen: usize = uses.values().map(BTreeSet::len).sum();
+    assert_eq!(circles(&uses), BTreeSet::new());
+    assert!(seen > 500, "found only {seen} uses: is the test looking in the right place?");
 }
 
 #[test]
@@ -227,9 +269,32 @@ fn groups_are_read_and_test_modules_are_left_out() {
         "use x;\n#[cfg(test)]\nmod tests {\n    use crate::plan;\n}\n#[cfg(test)]\nmod more;\nuse crate::{\n  map, // \
          crate::wasm\n  search,\n};\n",
     );
-    let module = ["map".to_owned(), "risk".to_owned()];
-    assert_eq!(used_by(&code, &module), ["map", "search"], "{code}");
-    assert_eq!(first_module("super::super::plan::x", &module).as_deref(), Some("plan"));
-    assert_eq!(first_module("super::layer", &module).as_deref(), Some("map"));
-    assert_eq!(first_module("std::fmt", &module), None);
+    let names = |text: &str| text.split("::").map(str::to_owned).collect::<Vec<String>>();
+    let module = names("map::risk");
+    let is_module = |path: &[String]| path == names("map::risk::field");
+    let source = Source::new(&code, &module, &is_module);
+    assert_eq!(source.used, ["map", "search"].map(names), "{code}");
+    let absolute = |path: &str| absolute(path, &module, &is_module);
+    assert_eq!(absolute("super::super::plan::x"), Some(names("plan::x")));
+    assert_eq!(absolute("super::layer"), Some(names("map::layer")));
+    assert_eq!(absolute("field::x"), Some(names("map::risk::field::x")));
+    assert_eq!(absolute("std::fmt"), None);
+}
+
+#[test]
+fn circles_are_found_through_what_a_module_passes_on() {
+    let names = |text: &str| text.split("::").map(str::to_owned).collect::<Vec<String>>();
+    let codes = [
+        ("a", "mod b;\npub use b::B;\nstruct A;"),
+        ("a::b", "use super::c;\nuse super::A;"),
+        ("a::c", "use super::B;"),
+    ];
+    let is_module = |path: &[String]| codes.iter().any(|(module, _)| names(module) == path);
+    let source =
+        |(module, code): (&str, &str)| (names(module), Source::new(code, &names(module), &is_module));
+    let sources: BTreeMap<_, _> =
+        codes.into_iter().map(source).chain([(Vec::new(), Source::new("", &[], &is_module))]).collect();
+    let uses = uses(&sources);
+    // `a` only passes `B` on; `c` uses it, and `b` uses `c`.
+    assert_eq!(circles(&uses), BTreeSet::from([BTreeSet::from(["a::b", "a::c"].map(str::to_owned))]));
 }

@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::json::{Fields, bad, flag, list, object, owned, word};
-use crate::scenario::{Entry, Scenario, VehicleSpec, places, validate};
+use crate::scenario::{Entry, Scenario, VehicleSpec, checks, places, vehicle_spec};
 use crate::vehicle::{Vehicle, library};
 
 /// The name of the scene's own car where it has none.
@@ -128,7 +128,7 @@ fn vehicle(value: &Value) -> Result<AuditVehicle, Error> {
     }
     let f = Fields::of(value, &["id", "vehicle"])?;
     let id = f.need("id", owned)?;
-    let spec = f.need("vehicle", places::vehicle)?;
+    let spec = f.need("vehicle", vehicle_spec::vehicle)?;
     let vehicle = match spec {
         VehicleSpec::Profile(name) => named(&name).map_err(|e| e.within("vehicle"))?.vehicle,
         VehicleSpec::Custom(vehicle) => {
@@ -164,7 +164,7 @@ fn entrance(value: &Value) -> Result<Entrance, Error> {
     let f = Fields::of(value, &["id", "pose", "exit"])?;
     let pose = |value: &Value| {
         let pose = places::pose(value)?;
-        validate::finite_pose(pose).map(|()| pose).map_err(|e| e.with_code(ErrorCode::Input))
+        checks::finite_pose(pose).map(|()| pose).map_err(|e| e.with_code(ErrorCode::Input))
     };
     Ok(Entrance { id: f.need("id", owned)?, pose: f.need("pose", pose)?, exit: f.maybe("exit", pose)? })
 }

@@ -6,7 +6,7 @@
 
 use std::str::FromStr;
 
-use super::File;
+use super::file::File;
 use crate::error::{Error, ErrorCode, Message};
 
 /// Longest line of words, bytes.

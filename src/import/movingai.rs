@@ -15,8 +15,11 @@
 //! 1 − r. With cells of s metres the centre of cell (x, y) is at (s·x, s·y), because the map's lower left corner is
 //! at (−s/2, −s/2).
 
+use super::cell_map::{Raster, lattice, poses};
+use super::file::{File, base};
+use super::imported::{Imported, Question};
 use super::line_reader::{Line, Lines, at, quoted};
-use super::{File, Imported, Options, Question, Raster, base, lattice, poses};
+use super::options::Options;
 use crate::error::{Error, ErrorCode};
 use crate::map::{Cell, Frame, Occupancy};
 use crate::scenario::generate::CART;

@@ -6,7 +6,7 @@
 use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode, Message};
-use crate::scenario::{VehicleSpec, places};
+use crate::scenario::{VehicleSpec, vehicle_spec};
 
 /// Treatment of cells that are neither free nor occupied.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -70,7 +70,7 @@ impl Options {
                     }
                 }
                 "vehicle" => {
-                    let vehicle = places::vehicle(value).and_then(|v| v.resolve().map(|_| v));
+                    let vehicle = vehicle_spec::vehicle(value).and_then(|v| v.resolve().map(|_| v));
                     options.vehicle = Some(vehicle.map_err(|e| e.within(name).with_code(ErrorCode::Input))?);
                 }
                 _ => {

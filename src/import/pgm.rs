@@ -7,7 +7,7 @@
 //! The size in the head is compared with the bytes that are left before room is made for the pixels: a head that
 //! claims a larger picture than its file can hold is refused.
 
-use super::File;
+use super::file::File;
 use super::line_reader::{at, quoted};
 use crate::error::{Error, Message};
 use crate::scenario::MAX_CELLS;

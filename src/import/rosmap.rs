@@ -17,8 +17,12 @@
 //! as a percentage. Files are read by hand, as flat mappings of words; a YAML library would be larger than the
 //! importer.
 
+use super::cell_map::{Raster, lattice};
+use super::file::{File, base, ending};
+use super::imported::Imported;
 use super::line_reader::{Line, Lines, quoted};
-use super::{File, Imported, Options, Raster, Unknown, base, ending, lattice, pgm};
+use super::options::{Options, Unknown};
+use super::pgm;
 use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::{Point, Pose};
 use crate::map::{Cell, Occupancy, raster};

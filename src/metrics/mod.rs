@@ -15,6 +15,7 @@ mod footprint_distance;
 pub mod grid;
 #[cfg(feature = "complete")]
 mod narrowest;
+mod outlines;
 #[cfg(feature = "complete")]
 pub mod risk;
 #[cfg(feature = "complete")]
@@ -25,8 +26,8 @@ mod signed_distance;
 #[cfg(feature = "complete")]
 pub use any_angle::any_angle_length;
 pub use check::{Check, Verdict, check};
-#[cfg(feature = "complete")]
-pub(crate) use footprint_distance::gap;
 pub use footprint_distance::{Body, FAR};
 #[cfg(feature = "complete")]
 pub use narrowest::Narrowest;
+#[cfg(feature = "complete")]
+pub(crate) use outlines::gap;

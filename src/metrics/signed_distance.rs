@@ -4,7 +4,7 @@
 //! lets a mean or an interpolation tell a slight overlap from a deep one, which a clearance of 0 does not.
 
 use super::Body;
-use super::footprint_distance::squared_to_segment;
+use super::outlines::squared_to_segment;
 use crate::geometry::{Point, Pose};
 
 /// Points of the body's outline are at most this far apart where it overlaps something, metres; farther on bodies so

@@ -59,7 +59,7 @@ use features::Features;
 use path::Path;
 use path_stage::PathStage;
 use plan_path::PlanPath;
-use roll_out::Rows;
+use roll_out::{OFF, Rows};
 use round::{Car, Task};
 use segment::HEADING;
 
@@ -78,9 +78,6 @@ const AGAIN: [(f64, f64); 5] = [(0.0, 0.5), (0.004, 0.5), (0.01, 0.5), (0.0, 0.2
 
 /// A path whose end is off the goal has not converged: it is optimised on so many times.
 const ON: usize = 2;
-/// An end is off the goal when it is farther from it than this, metres and radians.
-const OFF: f64 = 5e-4;
-
 /// Options of an optimisation.
 ///
 /// Metres, seconds and radians. The steering angle's limit is the vehicle's.

@@ -6,7 +6,6 @@
 //! time t, the smallest ∫δφ² dt with ∫J·δφ dt = off is δφ = Jᵀ·(∫J·Jᵀ dt)⁻¹·off, a 3 × 3 system, repeated until the end
 //! is there.
 
-use super::OFF;
 use super::path::{Link, Path, Run};
 use super::round::Car;
 use super::segment::{ANGLE, STEP};
@@ -14,6 +13,8 @@ use crate::geometry::{Pose, math};
 use crate::referee::{MotionLimits, States};
 use nalgebra::Vector3;
 
+/// An end is off the goal when it is farther from it than this, metres and radians.
+pub(super) const OFF: f64 = 5e-4;
 /// Speeds are looked at this often, metres, …
 const CELL: f64 = 0.02;
 /// … and rows stand no farther apart, seconds.

@@ -11,11 +11,15 @@
 
 use std::ops::ControlFlow;
 
-use super::{Improved, Plan, Prefer, Stats};
+use super::outcome::{Plan, Stats};
 use crate::drive::{Limits, Motion, Route};
 use crate::optimise::{self, optimise};
+use crate::planners::hybrid::Prefer;
 use crate::scenario::SpeedLimit;
 use crate::scenario::resolve::Geometry;
+
+/// Given a plan; breaks to end the search.
+pub type Improved<'a> = &'a mut dyn FnMut(&Plan) -> std::ops::ControlFlow<()>;
 
 /// Lengths and times are the same within this share …
 const SAME: f64 = 0.01;

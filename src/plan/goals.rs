@@ -11,7 +11,8 @@
 
 use std::ops::ControlFlow;
 
-use super::{Driven, Engine, Improved, NEAR, Options, Outcome, Plan, Planner, ProgressCallback, measured};
+use super::measured::{Driven, NEAR, measured};
+use super::{Engine, Improved, Options, Outcome, Plan, Planner, ProgressCallback};
 use crate::geometry::{Pose, math};
 use crate::scenario::{GoalPose, Goals};
 

@@ -14,6 +14,7 @@
 //! the check of a car: it has corners, and the search knew a point or a disc. The check says so, and the outcome stays
 //! `found`.
 
+use super::measured::{Driven, NEAR, STEP, measured};
 #[cfg(feature = "complete")]
 use super::outcome::Recorded;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
@@ -22,7 +23,6 @@ use super::rasters::Rasters;
 #[cfg(feature = "complete")]
 use super::stages::Stages;
 use super::world::World;
-use super::{NEAR, STEP, measured};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 use crate::map::{Cell, Frame};
@@ -248,13 +248,13 @@ impl Finish<'_> {
 
     /// The poses along the pieces, [`STEP`] apart, or farther on very long paths. A path of one cell is the car at its
     /// start heading.
-    fn driven(&self, pieces: &[Piece]) -> super::Driven {
+    fn driven(&self, pieces: &[Piece]) -> Driven {
         let frame = &self.world.frame;
         let start = self.world.geometry.start.heading;
         if let [only] = self.report.cells[..] {
             let at: Point = frame.center(only);
             let poses = vec![Pose::new(at.x, at.y, start)];
-            return super::Driven { poses, directions: vec![1], curvatures: vec![0.0] };
+            return Driven { poses, directions: vec![1], curvatures: vec![0.0] };
         }
         let length: f64 = pieces.iter().map(Piece::length).sum::<f64>() * frame.resolution;
         path_sampling::follow(frame, pieces, start, STEP.max(length / MAX_POSES))

@@ -3,13 +3,14 @@
 #[cfg(feature = "complete")]
 use super::choices::{self, Choosing, Wish};
 #[cfg(feature = "complete")]
-use super::outcome::Member;
+use super::hybrid_answer::resolution;
+use super::hybrid_answer::{detail, metrics, outcome, reason, stats};
+use super::measured::{Driven, NEAR, STEP, measured};
 #[cfg(feature = "complete")]
-use super::outcome::Recorded;
-use super::outcome::{HybridMetrics, Outcome, Plan, PlanTrace, Stats};
+use super::outcome::{Member, Outcome, Recorded};
+use super::outcome::{Plan, PlanTrace};
 use super::path::MAX_LENGTH;
 use super::world::World;
-use super::{Driven, NEAR, STEP, measured};
 use crate::error::{Error, ErrorCode};
 #[cfg(feature = "complete")]
 use crate::geometry::Pose;
@@ -30,9 +31,6 @@ use crate::vehicle::collision::Obstacles;
 /// More than rounding takes from a clearance, metres.
 #[cfg(feature = "complete")]
 const ROUNDING: f64 = 1e-6;
-/// Speed of the parking paper's driving times, m/s.
-const PAPER_SPEED: f64 = 2.0;
-
 /// Hybrid A*, its obstacles and its memory.
 pub(super) struct Engine {
     #[cfg(feature = "complete")]
@@ -292,50 +290,6 @@ fn query<'a>(obstacles: &'a Obstacles, geometry: &'a Geometry) -> Query<'a> {
     Query { obstacles, vehicle: &geometry.vehicle, start: geometry.start, goal: geometry.goal }
 }
 
-fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<String> {
-    let name = |owner| scenario.name_of(geometry.owner(owner));
-    let near =
-        report.closest.map_or_else(String::new, |p| format!(" The search came to ({:.2}, {:.2}).", p.x, p.y));
-    Some(match report.status {
-        Status::Found | Status::Suboptimal => return None,
-        Status::StartInCollision(owner) => format!("The start touches {}. Move either one.", name(owner)),
-        Status::GoalInCollision(owner) => format!("The goal touches {}. Move either one.", name(owner)),
-        Status::Unreachable => {
-            "No way through: some gap on every way is narrower than the car with its margin.".to_owned()
-        }
-        Status::TooNarrow(gap) => {
-            format!(
-                "No way through. The gap is about {:.1} m, the car needs {:.2} m.",
-                gap.width, geometry.vehicle.width
-            )
-        }
-        #[cfg(feature = "complete")]
-        Status::NoRoom => format!(
-            "No way through: the body would not fit even if it could move sideways and turn on the spot.{near}"
-        ),
-        Status::NoPath => format!("No way through for this car at these settings.{near}"),
-        Status::BoxedIn { at_start, travel } => {
-            let end = if at_start { "start" } else { "goal" };
-            format!("The car is boxed in at the {end}: it can move {travel:.2} m in all.")
-        }
-        Status::BudgetExhausted(left) => {
-            format!("Stopped after {} expansions, {left:.1} m short of the goal.{near}", report.expanded)
-        }
-        Status::VerificationFailed => "Every path found touches something between two checks.".to_owned(),
-    })
-}
-
-/// How finely a search looked, in words.
-#[cfg(feature = "complete")]
-fn resolution(member: &Member) -> String {
-    let small = |metres: f64| {
-        if metres < 0.01 { format!("{:.0} mm", metres * 1000.0) } else { format!("{:.0} cm", metres * 100.0) }
-    };
-    let (cell, margin) = (small(member.xy_resolution), small(member.margin));
-    let degrees = (member.heading_resolution.to_degrees() * 10.0).round() / 10.0;
-    format!("at {cell} and {degrees}° with {margin} of margin")
-}
-
 fn drive(query: &Query, report: &Report) -> Driven {
     let points = arcs::sample(query.start, &report.arcs, query.goal, STEP);
     Driven {
@@ -354,64 +308,4 @@ fn knots(query: &Query, report: &Report) -> Vec<crate::geometry::Point> {
         points.push(pose.point());
     }
     points
-}
-
-fn outcome(status: Status) -> Outcome {
-    match status {
-        Status::Found | Status::Suboptimal => Outcome::Found,
-        Status::StartInCollision(_) => Outcome::StartBlocked,
-        Status::GoalInCollision(_) => Outcome::GoalBlocked,
-        Status::Unreachable
-        | Status::TooNarrow(_)
-        | Status::NoPath
-        | Status::BoxedIn { .. }
-        | Status::VerificationFailed => Outcome::NoPath,
-        #[cfg(feature = "complete")]
-        Status::NoRoom => Outcome::NoPath,
-        Status::BudgetExhausted(_) => Outcome::BudgetSpent,
-    }
-}
-
-fn detail(status: Status) -> Option<&'static str> {
-    match status {
-        Status::Suboptimal => Some("suboptimal"),
-        Status::Unreachable => Some("unreachable"),
-        Status::TooNarrow(_) => Some("too-narrow"),
-        #[cfg(feature = "complete")]
-        Status::NoRoom => Some("no-room"),
-        Status::BoxedIn { .. } => Some("boxed-in"),
-        Status::VerificationFailed => Some("verification-failed"),
-        _ => None,
-    }
-}
-
-fn stats(report: &Report) -> Stats {
-    Stats {
-        expanded: report.expanded,
-        generated: report.generated,
-        pushes: report.pushes,
-        open_peak: report.open_peak,
-        memory_bytes: report.bytes,
-        expansions: Some(report.expanded),
-        collision_checks: Some(report.collision_checks),
-        level: Some(report.level),
-        ..Stats::default()
-    }
-}
-
-fn metrics(report: &Report) -> HybridMetrics {
-    let length = arcs::length(&report.arcs);
-    let steps: f64 = report.arcs.iter().map(|a| (a.length.abs() / 0.1).round()).sum();
-    let gap = if report.rs_bound > 0.0 { (length / report.rs_bound - 1.0) * 100.0 } else { 0.0 };
-    HybridMetrics {
-        cost: report.cost,
-        margin: report.margin,
-        rs_bound: report.rs_bound,
-        gap_percent: gap,
-        paper_length: 0.1 * steps,
-        paper_nodes: steps as u32 + 1,
-        paper_time: 0.1 * steps / PAPER_SPEED,
-        #[cfg(feature = "complete")]
-        drive_time: None,
-    }
 }

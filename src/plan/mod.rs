@@ -13,10 +13,14 @@ mod brush;
 #[cfg(feature = "complete")]
 mod choices;
 #[cfg(feature = "complete")]
+mod edits;
+#[cfg(feature = "complete")]
 mod goals;
 mod grid;
 mod hybrid;
+mod hybrid_answer;
 mod layers;
+mod measured;
 #[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
 mod options;
 mod outcome;
@@ -38,6 +42,8 @@ mod stages;
 mod tractrix;
 mod world;
 
+#[cfg(feature = "complete")]
+pub use choices::Improved;
 pub use layers::{Layer, LayerData};
 pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 #[cfg(feature = "complete")]
@@ -59,7 +65,6 @@ use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
-use crate::metrics::check;
 use crate::planners::registry::{Family, PlannerId, Settings, default_config};
 #[cfg(feature = "complete")]
 use crate::scenario::Goals;
@@ -72,8 +77,6 @@ use crate::search::{Progress, Trace};
 use crate::{geometry::Point, planners::risk_field::Explanation};
 use world::World;
 
-/// Poses of a path are this close together, metres.
-const STEP: f64 = 0.1;
 /// Events that a trace keeps.
 const TRACE: usize = 1_000_000;
 /// Steps of a search that are recorded with all they did, where no other number is asked for.
@@ -83,9 +86,6 @@ pub const RECORDED_STEPS: usize = 100_000;
 const CELLS: NonZeroU32 = NonZeroU32::new(1 << 14).unwrap();
 /// The same of a car's poses, which take longer.
 const POSES: NonZeroU32 = NonZeroU32::new(1 << 8).unwrap();
-/// How far from the goal a car's path may end, metres.
-const NEAR: f64 = 1e-3;
-
 /// Options of a plan besides the path itself.
 #[derive(Default)]
 pub struct Options<'a> {
@@ -130,10 +130,6 @@ impl Options<'_> {
         asked.into_iter().find(|choice| choice.0).map(|choice| choice.1)
     }
 }
-
-/// Given a plan; breaks to end the search.
-#[cfg(feature = "complete")]
-pub type Improved<'a> = &'a mut dyn FnMut(&Plan) -> std::ops::ControlFlow<()>;
 
 /// Boxed, because the three differ much in size. All three answer the same [`Plan`].
 enum Engine {
@@ -325,65 +321,5 @@ impl Planner {
                 Err(Error::new(ErrorCode::Input, "planner", message))
             }
         }
-    }
-}
-
-/// Poses of a path, whatever made it.
-///
-/// One item per pose in each column, as in [`Plan`].
-#[derive(Debug, Default)]
-struct Driven {
-    poses: Vec<Pose>,
-    directions: Vec<i8>,
-    curvatures: Vec<f64>,
-}
-
-/// The plan of a path, checked and measured.
-///
-/// `near` is how far from the goal the path may end, metres: a millimetre for a car, a cell for a path of cells.
-fn measured(world: &World, outcome: Outcome, driven: Driven, near: f64) -> Plan {
-    let Driven { poses, directions, curvatures } = driven;
-    let check = check(&world.geometry, &world.body, &poses, &directions, near);
-    let corner = check.tightest_radius == 0.0;
-    let max_curvature = curvatures.iter().filter(|k| !k.is_nan()).fold(0.0_f64, |max, k| max.max(k.abs()));
-    let metrics = Metrics {
-        length: outcome::path_length(&poses),
-        direction_changes: outcome::direction_changes(&directions),
-        max_curvature: (!corner).then_some(max_curvature),
-        curvature_limit: world.geometry.vehicle.max_curvature(),
-        min_clearance: check.min_clearance,
-        mean_clearance: check.mean_clearance,
-        weighted_length: world.paint().map(|paint| {
-            poses.windows(2).fold(0.0, |sum, pair| sum + paint.along(pair[0].point(), pair[1].point()))
-        }),
-        grid: None,
-        hybrid: None,
-        #[cfg(feature = "complete")]
-        road: None,
-    };
-    Plan {
-        planner: "",
-        outcome,
-        detail: None,
-        reason: None,
-        obstruction: None,
-        #[cfg(feature = "complete")]
-        goal: None,
-        path: poses,
-        directions,
-        curvatures,
-        raw_path: Vec::new(),
-        stats: Stats::default(),
-        metrics,
-        check,
-        trace: None,
-        #[cfg(feature = "complete")]
-        recorded: None,
-        #[cfg(feature = "complete")]
-        member: None,
-        #[cfg(feature = "complete")]
-        stages: None,
-        #[cfg(feature = "complete")]
-        alternatives: Vec::new(),
     }
 }

@@ -5,7 +5,7 @@
 //! (1/m) of the way on from each. Here they are checked once (number, finite, range, equal lengths), so that the code
 //! behind needs no checks of its own. An error names the list and the index of its first wrong number.
 
-use super::NEAR;
+use super::measured::NEAR;
 use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
 #[cfg(feature = "complete")]

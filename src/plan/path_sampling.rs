@@ -5,7 +5,7 @@
 //! between them is not a number, since a turn on the spot has none. Curvature in 1/m is that of the piece in 1/cells
 //! divided by the resolution; in reverse the car's nose points the other way and the sign changes.
 
-use super::Driven;
+use super::measured::Driven;
 use crate::geometry::{Pose, math};
 use crate::map::Frame;
 use crate::post::Piece;

@@ -11,7 +11,7 @@ use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 #[cfg(feature = "complete")]
 use crate::planners::registry::Family;
-use crate::scenario::validate::finite_pose;
+use crate::scenario::checks::finite_pose;
 #[cfg(feature = "complete")]
 use crate::search::Watch;
 

@@ -9,12 +9,12 @@
 //! second among all cells with room for the car, where short room is dear. Counters add up, and the trace has both. A
 //! plan that keeps less than the margin says so (`less-margin`) and, where it can be proven, that none keeps it.
 
+use super::measured::{Driven, NEAR, STEP, measured};
 use super::outcome::{Outcome, Plan, PlanTrace, Recorded, Stats};
 use super::road_curve::{Curve, ENDS, along};
 use super::road_fit::Fit;
 use super::tractrix::tractrix;
 use super::world::World;
-use super::{Driven, NEAR, STEP, measured};
 use crate::geometry::bspline::Spline;
 use crate::geometry::{Point, Pose, Vector};
 use crate::metrics::road::{self, RoadMetrics};

@@ -10,7 +10,7 @@
 //! The middle is exactly in each place, errors do not add up, and the curvature that is answered is that of the arc
 //! that the check drives.
 
-use super::Driven;
+use super::measured::Driven;
 use crate::geometry::{Point, Pose, Vector, arcs, math};
 use crate::scenario::resolve::Geometry;
 

@@ -12,8 +12,8 @@
 use serde::Serialize;
 use serde_json::Value;
 
+use super::checks::{bad, outline, touch};
 use super::places;
-use super::validate::{bad, outline, touch};
 use crate::error::Error;
 use crate::geometry::math::{self, PI};
 use crate::geometry::polygon::contains;

@@ -13,10 +13,10 @@
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
+use super::checks::{bad, finite_pose};
 use super::goal_region::GoalRegion;
 use super::places;
-use super::validate::{bad, finite_pose};
-use super::{Entry, Scenario, Slot};
+use super::slot::{Entry, Slot};
 use crate::error::Error;
 use crate::geometry::{Pose, math};
 use crate::json::{Fields, list, owned, word};
@@ -140,11 +140,11 @@ impl GoalSet {
     }
 
     /// 1 to 1000 poses or ids, each id of a slot and named once, or a region that is valid.
-    pub(super) fn validate(&self, scene: &Scenario) -> Result<(), Error> {
+    pub(super) fn validate(&self, slots: &[Slot]) -> Result<(), Error> {
         match self {
             Self::Slots(SlotsGoal { slots: SlotChoice::Free, .. }) => Ok(()),
             Self::Slots(SlotsGoal { slots: SlotChoice::Named(ids), .. }) => {
-                named(&scene.slots, ids).map(|_| ()).map_err(|e| e.within("slots"))
+                named(slots, ids).map(|_| ()).map_err(|e| e.within("slots"))
             }
             Self::Poses(poses) => {
                 bounded(poses)?;
@@ -156,7 +156,7 @@ impl GoalSet {
     }
 
     /// The ways to meet it in a validated scene.
-    pub(super) fn resolve(&self, scene: &Scenario, vehicle: Vehicle) -> Result<Goals, Error> {
+    pub(super) fn resolve(&self, all: &[Slot], vehicle: Vehicle) -> Result<Goals, Error> {
         let (mut poses, mut region) = (Vec::new(), None);
         match self {
             Self::Poses(list) => {
@@ -170,11 +170,11 @@ impl GoalSet {
             }
             Self::Slots(SlotsGoal { slots, entry }) => {
                 let indices = match slots {
-                    SlotChoice::Free => (0..scene.slots.len()).collect(),
-                    SlotChoice::Named(ids) => named(&scene.slots, ids)?,
+                    SlotChoice::Free => (0..all.len()).collect(),
+                    SlotChoice::Named(ids) => named(all, ids)?,
                 };
                 for index in indices {
-                    let slot = &scene.slots[index];
+                    let slot = &all[index];
                     for &entry in entry.entries().iter().filter(|_| !slot.occupied) {
                         let pose = slot.pose(entry, &vehicle);
                         poses.push(GoalPose { index, slot: slot.id.clone(), entry: Some(entry), pose });

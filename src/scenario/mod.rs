@@ -11,8 +11,9 @@
 use serde::Serialize;
 use std::collections::BTreeMap;
 
+#[cfg(feature = "complete")]
+use crate::geometry::Point;
 use crate::geometry::Pose;
-use crate::vehicle::Vehicle;
 #[cfg(feature = "complete")]
 pub use goal_region::{GoalRegion, HEADING_TOLERANCE};
 #[cfg(feature = "complete")]
@@ -24,8 +25,11 @@ pub use moving::MovingObstacle;
 #[cfg(feature = "complete")]
 pub use road::{Lane, LanePiece, SpeedLimit};
 pub use road_obstacle::Road;
+pub use slot::{Entry, Lean, Slot, SlotGoal, SlotKind};
+pub use vehicle_spec::VehicleSpec;
 
 pub mod catalog;
+pub(crate) mod checks;
 #[cfg(feature = "complete")]
 mod figure_scenes;
 pub mod generate;
@@ -54,6 +58,7 @@ pub mod run_length;
 mod scene_info;
 pub mod slot;
 pub(crate) mod validate;
+pub(crate) mod vehicle_spec;
 
 /// Largest number of cells on a side of the map.
 pub const MAX_CELLS: u32 = 4096;
@@ -201,58 +206,6 @@ pub struct CostArea {
     pub weight: u32,
 }
 
-/// A parking slot. `(x, y)` is the middle of its open side, `heading` points from the aisle into the slot, at right
-/// angles to the aisle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Slot {
-    /// Name for messages, selection and [`Goal::Slot`].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub id: Option<String>,
-    /// How the car stands to the aisle.
-    pub kind: SlotKind,
-    /// Middle of the open side, metres.
-    pub x: f64,
-    /// Middle of the open side, metres.
-    pub y: f64,
-    /// Radians, from the aisle into the slot.
-    pub heading: f64,
-    /// Clear width for the car: across the car's axis, for `parallel` too (its depth from the aisle). Metres.
-    pub width: f64,
-    /// Clear length for the car along its axis, metres.
-    pub length: f64,
-    /// `angled` only: the angle between the aisle and the car's axis, radians, in (0, π/2); default π/4.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub angle: Option<f64>,
-    /// `angled` only: to which side of `heading` the car's axis leans.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub lean: Option<Lean>,
-    /// True if a parked `sedan` stands in it, centred, nose to the aisle.
-    pub occupied: bool,
-}
-
-/// How a car in a slot stands to the aisle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SlotKind {
-    /// At right angles.
-    Perpendicular,
-    /// Along it.
-    Parallel,
-    /// At another angle.
-    Angled,
-}
-
-/// A side.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Lean {
-    /// To the left of the slot's heading.
-    Left,
-    /// To the right of the slot's heading.
-    Right,
-}
-
 /// The goal of the car.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -266,38 +219,40 @@ pub enum Goal {
     Set(GoalSet),
 }
 
-/// A slot of the scene and how to stand in it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct SlotGoal {
-    /// The slot's id.
-    pub slot: String,
-    /// Which way the nose points.
-    pub entry: Entry,
-}
+#[cfg(feature = "complete")]
+impl Scenario {
+    /// Lanes to keep to between two points: the scene's, and those of its drawn roads in the direction of travel.
+    ///
+    /// ```
+    /// use parkade::geometry::Point;
+    /// use parkade::scenario::Scenario;
+    ///
+    /// let scene = Scenario::from_json(&serde_json::json!({
+    ///     "version": 1,
+    ///     "map": { "origin": [-10, -10], "width": 60, "height": 20, "resolution": 2 },
+    ///     "obstacles": [{ "type": "road", "points": [[0, 0], [100, 0]] }],
+    ///     "start": { "x": 5, "y": -1.75, "heading": 0 },
+    ///     "goal": { "x": 90, "y": -1.75, "heading": 0 }
+    /// }))
+    /// .unwrap();
+    /// // Traffic keeps to the right: eastwards south of the middle, westwards north of it.
+    /// let [west, east] = [Point::new(5.0, 0.0), Point::new(90.0, 0.0)];
+    /// assert_eq!(scene.lanes_between(west, east)[0].start.y, -1.75);
+    /// assert_eq!(scene.lanes_between(east, west)[0].start.y, 1.75);
+    /// ```
+    pub fn lanes_between(&self, start: Point, goal: Point) -> Vec<Lane> {
+        let drawn = self.roads().flat_map(|road| road.lanes_between(start, goal));
+        self.lanes.iter().cloned().chain(drawn).collect()
+    }
 
-/// Which way the nose points in a slot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Entry {
-    /// Nose to the aisle; in a parallel slot, with the slot on the car's right.
-    ReverseIn,
-    /// Nose away from the aisle; in a parallel slot, with the slot on the car's left.
-    HeadIn,
-}
+    /// All limits, those of drawn roads included.
+    /// They are areas and have no direction; where two overlap, the lower one counts.
+    pub fn all_speed_limits(&self) -> Vec<SpeedLimit> {
+        self.speed_limits.iter().cloned().chain(self.roads().filter_map(Road::limit)).collect()
+    }
 
-/// The car: a named profile or its own dimensions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum VehicleSpec {
-    /// `paper` or `sedan`.
-    Profile(String),
-    /// Its own dimensions.
-    Custom(Vehicle),
-}
-
-impl Default for VehicleSpec {
-    fn default() -> Self {
-        Self::Profile("paper".to_owned())
+    /// The scene's drawn roads in their order.
+    fn roads(&self) -> impl Iterator<Item = &Road> {
+        self.obstacles.iter().filter_map(|o| if let Obstacle::Road(road) = o { Some(road) } else { None })
     }
 }

@@ -6,8 +6,8 @@
 use serde::Serialize;
 use serde_json::Value;
 
+use super::checks::{bad, corners, positive};
 use super::places::point;
-use super::validate::{bad, corners, positive};
 use crate::error::Error;
 use crate::json::{Fields, list, number, owned};
 

@@ -9,8 +9,9 @@ use serde::de::{Deserialize, Deserializer, Error as _};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-use super::places::{point, pose, vehicle};
+use super::places::{point, pose};
 use super::run_length;
+use super::vehicle_spec::vehicle;
 use super::{CostArea, Entry, Goal, Lean, MapFrame, Obstacle, Road, Scenario, Slot, SlotGoal, SlotKind};
 use crate::error::{Error, ErrorCode};
 use crate::json::{Fields, bad, count, exactly, flag, list, number, object, owned, text, word};

@@ -16,8 +16,8 @@ use std::ops::Range;
 
 #[cfg(feature = "complete")]
 use super::Goals;
+use super::checks::{bad, finite_pose};
 use super::road_obstacle::kerbs;
-use super::validate::{bad, finite_pose};
 use super::{Entry, Goal, MAX_CELLS, Obstacle, Road, Scenario, Slot};
 use crate::error::Error;
 use crate::geometry::math;
@@ -131,7 +131,7 @@ impl Scenario {
         let vehicle = self.vehicle.resolve()?;
         #[cfg(feature = "complete")]
         let goals = match &self.goal {
-            Goal::Set(set) => Some(set.resolve(self, vehicle)?),
+            Goal::Set(set) => Some(set.resolve(&self.slots, vehicle)?),
             _ => None,
         };
         #[cfg(feature = "complete")]

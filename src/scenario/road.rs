@@ -9,8 +9,8 @@
 use serde::Serialize;
 use serde_json::Value;
 
+use super::checks::{bad, finite_pose, outline, positive};
 use super::places::{point, pose};
-use super::validate::{bad, finite_pose, outline, positive};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, math};
 use crate::json::{Fields, list, number, owned};

@@ -18,12 +18,10 @@
 use serde::Serialize;
 use serde_json::Value;
 
+use super::checks::{bad, corners, positive};
 use super::places::point;
 #[cfg(feature = "complete")]
 use super::road::{Lane, LanePiece, SpeedLimit};
-use super::validate::{bad, corners, positive};
-#[cfg(feature = "complete")]
-use super::{Obstacle, Scenario};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, math, polygon};
 use crate::json::{Fields, count, exactly, flag, list, number, owned};
@@ -297,43 +295,5 @@ impl Road {
             station += length;
         }
         best.1
-    }
-}
-
-#[cfg(feature = "complete")]
-impl Scenario {
-    /// Lanes to keep to between two points: the scene's, and those of its drawn roads in the direction of travel.
-    ///
-    /// ```
-    /// use parkade::geometry::Point;
-    /// use parkade::scenario::Scenario;
-    ///
-    /// let scene = Scenario::from_json(&serde_json::json!({
-    ///     "version": 1,
-    ///     "map": { "origin": [-10, -10], "width": 60, "height": 20, "resolution": 2 },
-    ///     "obstacles": [{ "type": "road", "points": [[0, 0], [100, 0]] }],
-    ///     "start": { "x": 5, "y": -1.75, "heading": 0 },
-    ///     "goal": { "x": 90, "y": -1.75, "heading": 0 }
-    /// }))
-    /// .unwrap();
-    /// // Traffic keeps to the right: eastwards south of the middle, westwards north of it.
-    /// let [west, east] = [Point::new(5.0, 0.0), Point::new(90.0, 0.0)];
-    /// assert_eq!(scene.lanes_between(west, east)[0].start.y, -1.75);
-    /// assert_eq!(scene.lanes_between(east, west)[0].start.y, 1.75);
-    /// ```
-    pub fn lanes_between(&self, start: Point, goal: Point) -> Vec<Lane> {
-        let drawn = self.roads().flat_map(|road| road.lanes_between(start, goal));
-        self.lanes.iter().cloned().chain(drawn).collect()
-    }
-
-    /// All limits, those of drawn roads included.
-    /// They are areas and have no direction; where two overlap, the lower one counts.
-    pub fn all_speed_limits(&self) -> Vec<SpeedLimit> {
-        self.speed_limits.iter().cloned().chain(self.roads().filter_map(Road::limit)).collect()
-    }
-
-    /// The scene's drawn roads in their order.
-    fn roads(&self) -> impl Iterator<Item = &Road> {
-        self.obstacles.iter().filter_map(|o| if let Obstacle::Road(road) = o { Some(road) } else { None })
     }
 }

@@ -1,4 +1,4 @@
-//! Corners of a slot, and the poses of a car parked in it.
+//! Slots, their corners, and the poses of a car parked in it.
 //!
 //! A slot is told by the middle of its mouth, on the aisle's side, and the heading that leads straight into it from
 //! there. In that frame, x inwards and y to the left:
@@ -9,10 +9,83 @@
 //! angled          the axis leans by π/2 − angle; the mouth is width / cos of that lean
 //! ```
 
-use super::{Entry, Lean, Slot, SlotKind};
+use serde::Serialize;
+
 use crate::geometry::math::{self, FRAC_PI_2, FRAC_PI_4, PI};
 use crate::geometry::{Point, Pose, Vector};
 use crate::vehicle::Vehicle;
+
+/// A parking slot. `(x, y)` is the middle of its open side, `heading` points from the aisle into the slot, at right
+/// angles to the aisle.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Slot {
+    /// Name for messages, selection and [`super::Goal::Slot`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<String>,
+    /// How the car stands to the aisle.
+    pub kind: SlotKind,
+    /// Middle of the open side, metres.
+    pub x: f64,
+    /// Middle of the open side, metres.
+    pub y: f64,
+    /// Radians, from the aisle into the slot.
+    pub heading: f64,
+    /// Clear width for the car: across the car's axis, for `parallel` too (its depth from the aisle). Metres.
+    pub width: f64,
+    /// Clear length for the car along its axis, metres.
+    pub length: f64,
+    /// `angled` only: the angle between the aisle and the car's axis, radians, in (0, π/2); default π/4.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle: Option<f64>,
+    /// `angled` only: to which side of `heading` the car's axis leans.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lean: Option<Lean>,
+    /// True if a parked `sedan` stands in it, centred, nose to the aisle.
+    pub occupied: bool,
+}
+
+/// How a car in a slot stands to the aisle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SlotKind {
+    /// At right angles.
+    Perpendicular,
+    /// Along it.
+    Parallel,
+    /// At another angle.
+    Angled,
+}
+
+/// A side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Lean {
+    /// To the left of the slot's heading.
+    Left,
+    /// To the right of the slot's heading.
+    Right,
+}
+
+/// A slot of the scene and how to stand in it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct SlotGoal {
+    /// The slot's id.
+    pub slot: String,
+    /// Which way the nose points.
+    pub entry: Entry,
+}
+
+/// Which way the nose points in a slot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Entry {
+    /// Nose to the aisle; in a parallel slot, with the slot on the car's right.
+    ReverseIn,
+    /// Nose away from the aisle; in a parallel slot, with the slot on the car's left.
+    HeadIn,
+}
 
 impl Slot {
     /// The heading of the car's axis, pointing into the slot; along the aisle for a parallel slot.

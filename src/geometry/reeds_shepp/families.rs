@@ -18,12 +18,9 @@
 
 use core::cell::OnceCell;
 
-use super::{Shape, Word};
+use super::word::{EPS, Shape, Word};
 use crate::geometry::Pose;
 use crate::geometry::math::{self, FRAC_PI_2, PI, TAU};
-
-/// Lengths and angles this far on the wrong side of a bound are on it.
-pub(super) const EPS: f64 = 1e-10;
 
 /// Takes words as they are found.
 pub(super) trait Visit {

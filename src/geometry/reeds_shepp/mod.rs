@@ -26,123 +26,12 @@
 //! ```
 
 mod families;
+mod word;
+
+pub use word::Word;
 
 use super::Pose;
-use super::arcs::Arc;
-use families::{All, EPS, Least, visit};
-
-/// A segment's kind.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Turn {
-    L,
-    S,
-    R,
-}
-use Turn::{L, R, S};
-
-/// A word's turns, before reflection.
-#[derive(Debug, Clone, Copy)]
-enum Shape {
-    Lsl,
-    Lsr,
-    Lrl,
-    Lrlr,
-    Lrsl,
-    Lsrl,
-    Lrsr,
-    Rsrl,
-    Lrslr,
-}
-
-impl Shape {
-    const fn turns(self) -> ([Turn; 5], usize) {
-        match self {
-            Self::Lsl => ([L, S, L, S, S], 3),
-            Self::Lsr => ([L, S, R, S, S], 3),
-            Self::Lrl => ([L, R, L, S, S], 3),
-            Self::Lrlr => ([L, R, L, R, S], 4),
-            Self::Lrsl => ([L, R, S, L, S], 4),
-            Self::Lsrl => ([L, S, R, L, S], 4),
-            Self::Lrsr => ([L, R, S, R, S], 4),
-            Self::Rsrl => ([R, S, R, L, S], 4),
-            Self::Lrslr => ([L, R, S, L, R], 5),
-        }
-    }
-}
-
-/// A Reeds–Shepp path: at most five segments, lengths in turning radii, negative in reverse.
-///
-/// It is small and `Copy`: a search makes dozens per expansion and keeps the one that completes its path.
-#[derive(Debug, Clone, Copy)]
-pub struct Word {
-    turns: [Turn; 5],
-    lengths: [f64; 5],
-    count: usize,
-    total: f64,
-}
-
-impl Word {
-    fn new(shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]) -> Self {
-        let (turns, count) = shape.turns();
-        Self {
-            turns: if reflect { turns.map(mirrored) } else { turns },
-            lengths: if flip { lengths.map(|l| -l) } else { lengths },
-            count,
-            total: lengths.iter().map(|l| l.abs()).sum(),
-        }
-    }
-
-    /// Length, metres, for turning radius `radius`.
-    pub fn length(&self, radius: f64) -> f64 {
-        self.total * radius
-    }
-
-    /// Its arcs, metres, for turning radius `radius`.
-    pub fn arcs(&self, radius: f64) -> impl DoubleEndedIterator<Item = Arc> + use<> {
-        let (turns, lengths) = (self.turns, self.lengths);
-        (0..self.count).filter(move |&i| lengths[i].abs() > EPS).map(move |i| {
-            let curvature = match turns[i] {
-                L => 1.0 / radius,
-                S => 0.0,
-                R => -1.0 / radius,
-            };
-            Arc { curvature, length: lengths[i] * radius }
-        })
-    }
-
-    /// Its arcs as letters: `L` left, `S` straight, `R` right, each with `+` ahead or `-` in reverse.
-    pub fn letters(&self) -> String {
-        let driven = self.turns.iter().zip(&self.lengths).take(self.count).filter(|(_, l)| l.abs() > EPS);
-        driven.fold(String::new(), |mut text, (turn, &length)| {
-            text.push(match turn {
-                L => 'L',
-                S => 'S',
-                R => 'R',
-            });
-            text.push(if length < 0.0 { '-' } else { '+' });
-            text
-        })
-    }
-
-    /// Gear changes within it.
-    pub fn direction_changes(&self) -> u32 {
-        let mut gear = 0.0_f64;
-        let mut changes = 0;
-        for &length in self.lengths[..self.count].iter().filter(|l| l.abs() > EPS) {
-            changes += u32::from(gear * length < 0.0);
-            gear = length;
-        }
-        changes
-    }
-}
-
-fn mirrored(turn: Turn) -> Turn {
-    match turn {
-        L => R,
-        S => S,
-        R => L,
-    }
-}
+use families::{All, Least, visit};
 
 /// All words from `from` to `to` for turning radius `radius`, metres, unordered, handed to `each`.
 ///
@@ -185,7 +74,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::*;
-    use crate::geometry::arcs;
+    use crate::geometry::arcs::{self, Arc};
     use crate::geometry::math::{self, FRAC_PI_2, PI};
 
     const RADIUS: f64 = 5.408_275_004_188_978;

@@ -27,10 +27,10 @@
 use std::sync::Arc;
 
 use super::rank_bitmap::RankBitmap;
-use super::{Config, Costs, RoadRasters, Traffic};
+use super::{Config, Costs, RoadRasters};
 use crate::geometry::Point;
 use crate::map::{Cell, Frame, Weights};
-use crate::scenario::{LaneLeg, SpeedLimit};
+use crate::scenario::{Lane, LaneLeg, SpeedLimit};
 use crate::search::{Domain, Fate, Finish, NodeId, Order, Relax, Told, Visit};
 
 /// Speed at which no place is slow, m/s.
@@ -66,6 +66,15 @@ impl Margin {
         let room = clearance - self.radius;
         if room >= self.asked { 0.0 } else { self.price * (1.0 - room / self.asked) }
     }
+}
+
+/// Inputs of the cell costs besides clearance.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Traffic {
+    /// Lanes to keep to; none means that no lane counts.
+    pub lanes: Vec<Lane>,
+    /// Areas with a speed limit.
+    pub limits: Vec<SpeedLimit>,
 }
 
 /// The cells with room for the car, numbered row by row, and what a metre costs there.

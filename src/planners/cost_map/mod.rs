@@ -21,7 +21,7 @@ mod road_rasters;
 mod smooth;
 
 pub use config::{Base, Config, Costs, Curves, Pruning};
-pub use domain::CostMap;
+pub use domain::{CostMap, Traffic};
 pub use lateral::{Lateral, Row, Station};
 pub use margin::{Exact, is_excluded};
 pub use prune::corners;
@@ -31,22 +31,12 @@ pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 use super::Outcome;
 use crate::geometry::{Point, math};
 use crate::map::Cell;
-use crate::scenario::{Lane, SpeedLimit};
 use crate::search::{Limits, NodeId, Recording, Watch, best_first, record_best_first};
 use domain::{Places, Road};
 use prune::Chords;
 
 /// How far a start or goal without room may be moved to one with room, metres.
 const SNAP: f64 = 1.5;
-
-/// Inputs of the cell costs besides clearance.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Traffic {
-    /// Lanes to keep to; none means that no lane counts.
-    pub lanes: Vec<Lane>,
-    /// Areas with a speed limit.
-    pub limits: Vec<SpeedLimit>,
-}
 
 /// A query.
 #[derive(Debug, Clone, Copy)]

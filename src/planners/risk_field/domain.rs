@@ -21,8 +21,8 @@
 
 use std::cell::Cell as Counter;
 
+use super::config::{Config, Heuristic, permille};
 use super::directions::{is_oblique, primaries, region};
-use super::{Config, Heuristic, permille};
 use crate::map::risk::PotentialField;
 use crate::map::{Cell, Corner, line_of_sight};
 #[cfg(feature = "complete")]

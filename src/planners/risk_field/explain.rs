@@ -6,9 +6,9 @@
 
 use serde::Serialize;
 
+use super::config::{Config, permille};
 use super::directions::{is_oblique, primaries, region};
 use super::domain::RiskGrid;
-use super::{Config, permille};
 use crate::map::{Cell, line_of_sight};
 use crate::planners::heuristics::DistanceWeight;
 use crate::planners::moves::DIRECTIONS;

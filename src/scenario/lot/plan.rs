@@ -10,7 +10,7 @@
 //! them, and the floor is as long as the longest row with a lane across either end. The kerb between two rows is an
 //! obstacle, columns stand on the lines between bays, set back from the aisle.
 
-use super::{CAR, Lot};
+use super::layout::{CAR, Lot};
 use crate::geometry::{Pose, math};
 use crate::scenario::{Lean, MapFrame, Obstacle, Scenario, Slot, SlotKind};
 

@@ -5,7 +5,7 @@
 
 use serde_json::Value;
 
-use super::Lot;
+use super::layout::Lot;
 use crate::error::Error;
 use crate::geometry::math;
 use crate::json::bad;
