@@ -139,11 +139,11 @@ impl Source {
 fn absolute(path: &str, module: &[String], is_module: &dyn Fn(&[String]) -> bool) -> Option<Vec<String>> {
     let steps: Vec<&str> = path.split("::").map(str::trim).filter(|step| !step.is_empty()).collect();
     let outer = steps.iter().take_while(|&&step| step == "super").count();
-    let (base, rest) = match steps.first()? {
-        &"crate" => (&module[..0], &steps[1..]),
-        &"self" => (module, &steps[1..]),
-        &"super" => (&module[..module.len().checked_sub(outer)?], &steps[outer..]),
-        &child if is_module(&[module, &[child.to_owned()]].concat()) => (module, &steps[..]),
+    let (base, rest) = match *steps.first()? {
+        "crate" => (&module[..0], &steps[1..]),
+        "self" => (module, &steps[1..]),
+        "super" => (&module[..module.len().checked_sub(outer)?], &steps[outer..]),
+        child if is_module(&[module, &[child.to_owned()]].concat()) => (module, &steps[..]),
         _ => return None,
     };
     Some(base.iter().cloned().chain(rest.iter().map(|&step| step.to_owned())).collect())
@@ -170,7 +170,7 @@ fn sources() -> BTreeMap<Vec<String>, Source> {
 fn home(path: &[String], sources: &BTreeMap<Vec<String>, Source>) -> Vec<String> {
     let mut module = Vec::new();
     for (at, step) in path.iter().enumerate() {
-        let inner = [&module[..], &[step.clone()]].concat();
+        let inner = [&module[..], std::slice::from_ref(step)].concat();
         if sources.contains_key(&inner) {
             module = inner;
             continue;
