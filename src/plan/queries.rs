@@ -5,7 +5,9 @@
 //! wall or off the map is an outcome, because it can happen to anybody who drags it there.
 
 #[cfg(feature = "complete")]
-use super::{Driven, Engine, NEAR, measured};
+use super::Engine;
+#[cfg(feature = "complete")]
+use super::measured::{Driven, NEAR, measured};
 use super::{Options, Outcome, Plan, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
