@@ -25,6 +25,9 @@ export declare class SitePlanError extends Error {
   readonly code: "bad-import";
   /** Of the file, from 1; undefined where the reason has no place. */
   readonly line: number | undefined;
+  /** The rule with `{}` in the place of each value, as `ParkadeError` has it. */
+  readonly template: string;
+  readonly values: readonly string[];
 }
 
 /**

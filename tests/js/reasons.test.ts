@@ -98,13 +98,17 @@ describe("reasons in Chinese", () => {
       text = readdirSync(folder)
         .map((name) => readFileSync(join(folder, name), "utf8"))
         .join("\n")
-        .replaceAll(/\$\{[^}]*\}/g, "7");
-    const all = [
-      ...text.matchAll(/SitePlanError\(\s*(?:"((?:[^"\\]|\\.)+)"|'([^']+)'|`([^`]+)`)/g),
-      ...text.matchAll(/\[`(Left out[^`]*)`|`(Outlines[^`]*)`/g),
-    ].map((found) => found.slice(1).find(Boolean)!.replaceAll('\\"', '"'));
-    expect(all.length).toBeGreaterThan(30);
-    expect(all.filter((one) => /\b(must|the|at|most|that|this|Left|Outlines)\b/.test(chineseReason(one)))).toEqual([]);
+        .replaceAll(/\$\{[^}]*\}/g, "{}");
+    const found = [...text.matchAll(/SitePlanError\(\s*rule`([^`]+)`|\[`(Left out[^`]*)`|`(Outlines[^`]*)`/g)];
+    // Each reason is a rule whose values stand apart.
+    expect(found.filter(([, rule]) => rule).length).toBe(text.match(/new SitePlanError\(/g)!.length);
+    const shown = (template: string): string => template.replaceAll("{}", "7"),
+      chinese = found.map(([, rule, ...notes]) =>
+        rule
+          ? chineseReason({ message: shown(rule), template: rule, values: rule.match(/\{\}/g)?.map(() => "7") ?? [] })
+          : chineseReason(shown(notes.find(Boolean)!)),
+      );
+    expect(chinese.filter((one) => /\b(must|the|at|most|that|this|Left|Outlines)\b|⟨|\{/.test(one))).toEqual([]);
   });
 
   it("are there for what is too large for a page", () => {

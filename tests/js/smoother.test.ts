@@ -138,7 +138,7 @@ describe("a trajectory", () => {
     await settle();
     await worker().answer({ error: { code: "bad-input", path: "", message: "too narrow" } });
     const result = store.state.results["hybrid"]!;
-    expect(result.smoothed).toMatchObject({ failure: "too narrow", trajectory: null });
+    expect(result.smoothed).toMatchObject({ failure: { code: "bad-input", message: "too narrow" }, trajectory: null });
     expect(played(result)).toMatchObject({ plan: result.plan, drive: result.drive });
     store.set({ results: { hybrid: answered("two") } });
     await settle();
@@ -159,7 +159,7 @@ describe("a trajectory", () => {
     const store = open();
     await settle();
     await settle();
-    expect(store.state.results["hybrid"]!.smoothed).toMatchObject({ failure: "workers are forbidden" });
+    expect(store.state.results["hybrid"]!.smoothed).toMatchObject({ failure: { message: "workers are forbidden" } });
     expect(tries).toBe(1);
   });
 

@@ -1,11 +1,11 @@
 /** Somebody else's trajectory: judged by the referee in each scene, and driven beside ours until it is removed. */
 import messages from "../i18n/messages/guest.json";
 import { words } from "../i18n/words";
-import { CallError } from "../planning/calls";
 import { Helper } from "../planning/job-client";
 import { forPlanners } from "../scene/large-scene";
 import type { Scene } from "../store";
 import { sentence, type App } from "./app";
+import { apart, withField } from "./refusals";
 
 const say = words("guest", messages);
 
@@ -64,11 +64,10 @@ function verdictOf({ store: { state } }: App): string {
 }
 
 function complaint({ store: { state } }: App, name: string, error: unknown): string {
-  const { path, message } = error instanceof CallError ? error.failure : { path: "", message: sentence(error) };
-  const reason = sentence(path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message),
+  const { path, rule } = apart(error),
     [, line, column] = /^(\d+):(\d+)$/.exec(path) ?? [];
-  if (line && column) return say(state.lang, "place", { name, line, column, reason });
-  return say(state.lang, "bad", { name, reason: path ? `${path}: ${reason}` : reason });
+  if (line && column) return say(state.lang, "place", { name, line, column, reason: rule });
+  return say(state.lang, "bad", { name, reason: withField(path, rule) });
 }
 
 /** Takes the trajectory away; one that is being judged does not come. */

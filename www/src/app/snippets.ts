@@ -1,7 +1,7 @@
 /** Texts that the export menu copies: the scene in a form to paste. */
 import "../i18n/later";
 import { forPlanners } from "../scene/large-scene";
-import { sentence, type App } from "./app";
+import { refusal, type App } from "./app";
 
 export type SnippetKind = "embed" | "markdown" | "test";
 
@@ -16,7 +16,7 @@ export async function copySnippet(app: App, kind: SnippetKind): Promise<void> {
   try {
     if (await app.copy(await MAKERS[kind](app))) app.say("info", "bar.copied");
   } catch (error) {
-    app.refuse("error.export", { reason: sentence(error) });
+    app.refuse("error.export", { reason: refusal(error) });
   }
 }
 

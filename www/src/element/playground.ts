@@ -6,7 +6,7 @@ import { controls } from "../styles/controls";
 import { tokens } from "../styles/tokens";
 import { layout } from "../styles/layout";
 import type { MenuRequest } from "../tools/controller";
-import { App, download, sentence, type Beginning, type Request } from "../app/app";
+import { App, download, refusal, type Beginning, type Request } from "../app/app";
 import { recall, remember } from "../store/preferences";
 import { narrow, roomOf, sceneViews, wide } from "./arrangement";
 import { follow, PARTS } from "./parts";
@@ -130,7 +130,7 @@ export class Playground extends LitElement {
 
   /** Opens a scene of the page around, or says what is wrong with it. */
   protected takeScene(scene: Scene): void {
-    this.app.openForeign(scene).catch((error: unknown) => this.app.refuse("error.scene", { reason: sentence(error) }));
+    this.app.openForeign(scene).catch((error: unknown) => this.app.refuse("error.scene", { reason: refusal(error) }));
   }
 
   get canUndo(): boolean {

@@ -1,5 +1,5 @@
 import type { Scene } from "../store";
-import { sentence } from "../app/app";
+import { refusal } from "../app/app";
 import { Playground } from "./playground";
 import { oneOf, ValueError } from "../app/schema";
 import { messageOf } from "../i18n/said";
@@ -64,7 +64,7 @@ export abstract class SceneOpening extends Playground {
       cause = this.unknownScene(this.scene);
     }
     this.failure = cause;
-    this.app.refuse("error.load", { reason: sentence(cause) });
+    this.app.refuse("error.load", { reason: refusal(cause) });
     this.becomeFailed(cause);
   }
 

@@ -1,6 +1,6 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Explanation, PlannerId, PoseTrace, SearchTrace } from "parkade";
-import { sentence, type App } from "../app/app";
+import { refusal, type App } from "../app/app";
 import { Helper } from "../planning/job-client";
 import { FailedConnections } from "../planning/failed-connections";
 import { STEP } from "../planning/search-replay";
@@ -28,6 +28,7 @@ import { numberOf, valueOf } from "./inputs";
 import { nth } from "../scene/nth";
 import { rootOf } from "./beside";
 import { chosenOf } from "./chosen";
+import { reasonIn } from "../i18n/index";
 
 /** A recording of more than this is asked for, bytes. */
 const ASK_BYTES = 8e6;
@@ -176,7 +177,7 @@ export class Debugger extends AppElement {
       if (trace) this.take(planner!, trace);
       else this.trouble = say(this.state.lang, "none", { planner: plannerName(this.state.lang, planner!) });
     } catch (error) {
-      this.trouble = sentence(error);
+      this.trouble = reasonIn(this.state.lang, refusal(error));
     }
   };
 

@@ -2,7 +2,7 @@
 import "../i18n/later";
 import { focusedPlan } from "../store/results";
 import { fileName } from "../scene/files";
-import { download, sentence, type App } from "../app/app";
+import { download, refusal, type App } from "../app/app";
 
 export type ExportKind = "svg" | "csv" | "trajectory";
 
@@ -21,7 +21,7 @@ export async function saveAs(app: App, kind: ExportKind): Promise<void> {
     if (blob) download(blob, fileName(scene) + tail);
     else app.say("warn", "error.noPath");
   } catch (error) {
-    app.refuse("error.export", { reason: sentence(error) });
+    app.refuse("error.export", { reason: refusal(error) });
   }
 }
 

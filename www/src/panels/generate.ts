@@ -1,9 +1,7 @@
 import type { Family } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { sentence } from "../app/app";
 import messages from "../i18n/messages/generate.json";
 import { words } from "../i18n/words";
-import { CallError } from "../planning/calls";
 import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scene, State } from "../store";
@@ -14,6 +12,9 @@ import { valueOf } from "./inputs";
 import { icon } from "../styles/icons";
 import "./thumbnail";
 import { keysOf } from "../scene/keys";
+import { apart } from "../app/refusals";
+import { reasonIn } from "../i18n/index";
+import type { Said } from "../i18n/said";
 
 const say = words("generate", messages);
 
@@ -51,7 +52,7 @@ export class Generate extends AppElement {
   ];
   declare family: (typeof FAMILIES)[number];
   declare values: Record<Field, string>;
-  declare fault: { field: string; reason: string } | null;
+  declare fault: { path: string; rule: Said } | null;
   declare drawn: Scene | null;
   private helper: Helper | null = null;
   private turn = 0;
@@ -101,15 +102,19 @@ export class Generate extends AppElement {
   }
 
   private field(name: Field, unit = ""): TemplateResult {
-    const bad = this.fault?.field === name;
+    const bad = this.fault?.path === name;
     return html`<label>${say(this.state.lang, name)}<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" name=${name} .value=${this.values[name]} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
       @input=${(e: Event) => this.type(name, valueOf(e))}>${unit ? html`<span>${unit}</span>` : nothing}</span></label>`;
   }
 
   private faultText(): string {
-    const { field, reason } = this.fault!,
-      { lang } = this.state;
-    return field in this.values ? `${say(lang, field as Field)}: ${reason}` : say(lang, "failed", { reason });
+    if (!this.fault) return "";
+    const { path, rule } = this.fault,
+      { lang } = this.state,
+      name = keysOf(this.values).find((field) => field === path);
+    return name
+      ? `${say(lang, name)}${lang === "zh" ? "：" : ": "}${reasonIn(lang, rule)}`
+      : say(lang, "failed", { reason: rule });
   }
 
   private type(name: Field, value: string): void {
@@ -152,11 +157,7 @@ export class Generate extends AppElement {
       return ensureIds(scene!);
     } catch (error) {
       if (turn !== this.turn) return undefined;
-      const { path, message } = error instanceof CallError ? error.failure : { path: "", message: sentence(error) };
-      this.fault = {
-        field: path,
-        reason: sentence(path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message),
-      };
+      this.fault = apart(error);
       return null;
     }
   }

@@ -1,11 +1,10 @@
 import type { ImportedQuery } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { sentence } from "../app/app";
+import { refusal, sentence } from "../app/app";
 import { isTrajectory, openTrajectory } from "../app/guest";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/import.json";
 import { words } from "../i18n/words";
-import { CallError } from "../planning/calls";
 import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
@@ -19,6 +18,7 @@ import { icon, type IconName } from "../styles/icons";
 import { nth } from "../scene/nth";
 import { rootOf } from "./beside";
 import { fieldsOf } from "../scene/keys";
+import { apart, withField } from "../app/refusals";
 
 const say = words("import", messages);
 
@@ -154,7 +154,7 @@ export class ImportBar extends AppElement {
       if (turn !== this.turn) return;
       const { lang } = this.state,
         { line } = fieldsOf(error),
-        reason = sentence(error);
+        reason = refusal(error);
       const text =
         typeof line !== "number" ? say(lang, "bad", { name, reason }) : say(lang, "line", { name, line, reason });
       this.app.store.set({ message: { tone: "err", text } });
@@ -189,15 +189,12 @@ export class ImportBar extends AppElement {
 
   private complaint(error: unknown, name: string): string {
     const { lang } = this.state;
-    const { path, message } = error instanceof CallError ? error.failure : { path: "", message: sentence(error) };
-    const reason = sentence(
-      path && message.startsWith(path) ? message.slice(path.length).replace(/^:\s*/, "") : message,
-    );
-    const place = /^(.*):(\d+)$/.exec(path);
-    if (place) return say(lang, "line", { name: nth(place, 1), line: nth(place, 2), reason });
+    const { path, rule } = apart(error),
+      place = /^(.*):(\d+)$/.exec(path);
+    if (place) return say(lang, "line", { name: nth(place, 1), line: nth(place, 2), reason: rule });
     // The sentence begins with the file's name.
     const field = path.startsWith(`${name}.`) ? path.slice(name.length + 1) : path;
-    return say(lang, "bad", { name, reason: field && !name.includes(field) ? `${field}: ${reason}` : reason });
+    return say(lang, "bad", { name, reason: name.includes(field) ? rule : withField(field, rule) });
   }
 
   protected override render(): TemplateResult | typeof nothing {

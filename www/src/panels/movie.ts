@@ -1,5 +1,5 @@
 import { css, html, LitElement, nothing, type TemplateResult } from "lit";
-import { download, sentence, type App } from "../app/app";
+import { download, refusal, type App } from "../app/app";
 import { canEncode, encode } from "../picture/movie";
 import { FORMATS, type Format } from "../picture/movie-format";
 import { played } from "../store/results";
@@ -18,6 +18,7 @@ import { numberOf, type On } from "./inputs";
 import { say } from "./movie-words";
 import { besideOf } from "./beside";
 import { nth } from "../scene/nth";
+import { reasonIn } from "../i18n/index";
 
 const WIDTHS = [480, 640, 960, 1280] as const;
 const RATES = [10, 15, 25] as const;
@@ -175,7 +176,7 @@ export class MovieDialog extends DialogElement {
         });
       } else this.note = say(lang, "stopped");
     } catch (error) {
-      this.note = sentence(error);
+      this.note = reasonIn(this.state.lang, refusal(error));
     } finally {
       this.done = null;
     }

@@ -1,6 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { Plan } from "parkade";
-import { sentence, type App } from "../app/app";
+import { refusal, type App } from "../app/app";
 import { Helper } from "../planning/job-client";
 import {
   buildLot,
@@ -23,6 +23,7 @@ import "./new-lot-preview";
 import type { Resize } from "./new-lot-preview";
 import { besideOf } from "./beside";
 import { keysOf } from "../scene/keys";
+import type { Said } from "../i18n/said";
 
 type Block = "ground" | "bays" | "obstacles" | "vehicle";
 type Choice = "kind" | "sides" | "entrance" | "entry" | "car";
@@ -87,7 +88,7 @@ export class NewLot extends DialogElement {
   declare block: Block | null;
   declare plan: Plan | null;
   /** Why there is no plan, where that is no fault of the numbers. */
-  declare trouble: string;
+  declare trouble: Said | null;
   /** The text of the field being edited. */
   declare typed: { field: NumberField; text: string } | null;
   private helper: Helper | null = null;
@@ -107,7 +108,7 @@ export class NewLot extends DialogElement {
     this.form = firstForm;
     this.block = "bays";
     this.plan = this.typed = null;
-    this.trouble = "";
+    this.trouble = null;
   }
 
   override open(): void {
@@ -255,7 +256,7 @@ export class NewLot extends DialogElement {
     const { scene, fault } = buildLot(this.form);
     this.fault = fault;
     this.stopped = null;
-    this.trouble = "";
+    this.trouble = null;
     this.plan = null;
     // Numbers that make no lot leave the last one in sight, pale.
     if (scene) this.scene = scene;
@@ -307,7 +308,7 @@ export class NewLot extends DialogElement {
         const plan = await this.helper.call("solve", { planner: "hybrid", scene });
         if (scene === this.scene) this.plan = plan;
       } catch (error) {
-        if (scene === this.scene) this.trouble = sentence(error);
+        if (scene === this.scene) this.trouble = refusal(error);
       } finally {
         this.asked = null;
       }

@@ -1,6 +1,6 @@
 import type { Plan, RoadFigures } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { sentence } from "../app/app";
+import { refusal } from "../app/app";
 import { wordsAt } from "../i18n/words";
 import { RoadMeasures, type Risk } from "../planning/road-measures";
 import type { State } from "../store";
@@ -9,6 +9,7 @@ import { sections } from "../styles/sections";
 import { infoOf, plannerName } from "../styles/planner-style";
 import { AppElement } from "./base";
 import { icon } from "../styles/icons";
+import type { Said } from "../i18n/said";
 
 /** So long nothing has to change before a plan is measured. */
 const QUIET_MS = 350;
@@ -39,7 +40,7 @@ export class RoadCard extends AppElement {
   declare figures: { of: Plan; values: RoadFigures } | null;
   declare risk: { of: Plan; value: Risk; trials: number } | null;
   declare running: boolean;
-  declare failure: string | null;
+  declare failure: Said | null;
   protected override pace = 100;
   private measures: RoadMeasures | null = null;
   private quiet: ReturnType<typeof setTimeout> | undefined;
@@ -149,7 +150,7 @@ export class RoadCard extends AppElement {
       this.measures ??= new RoadMeasures(await this.app.complete());
       await work(this.measures);
     } catch (error) {
-      if (this.asked === plan && this.isConnected && !this.stopped) this.failure = sentence(error);
+      if (this.asked === plan && this.isConnected && !this.stopped) this.failure = refusal(error);
     }
     this.stopped = false;
   }

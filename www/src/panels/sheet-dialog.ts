@@ -1,7 +1,7 @@
 import type { Plan } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { unsafeHTML } from "lit/directives/unsafe-html.js";
-import { download, sentence, type App } from "../app/app";
+import { download, refusal, type App } from "../app/app";
 import { dxfOf } from "../picture/dxf-file";
 import { boxOfDrawing, paperFor, printPage, SCALES, sheetSvg, type Paper } from "../picture/scale-sheet";
 import { DRAWING_LAYERS, siteDrawing, type DrawingLayer } from "../picture/site-drawing";
@@ -14,6 +14,7 @@ import { isChecked, numberOf, valueOf } from "./inputs";
 import { say, today, vehicleText } from "./sheet-words";
 import { wayCsv } from "./way-csv";
 import { besideOf } from "./beside";
+import { reasonIn } from "../i18n/index";
 
 type Format = "svg" | "print" | "dxf" | "csv";
 
@@ -120,7 +121,7 @@ export class SheetDialog extends DialogElement {
         legend: [],
       });
     } catch (error) {
-      return { reason: sentence(error) };
+      return { reason: reasonIn(lang, refusal(error)) };
     }
   }
 

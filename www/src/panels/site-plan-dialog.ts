@@ -1,6 +1,6 @@
 import type { Role, SitePlan, SitePlanScene } from "parkade/siteplan";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { sentence } from "../app/app";
+import { refusal, sentence } from "../app/app";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/site-plan.json";
 import { words } from "../i18n/words";
@@ -16,6 +16,7 @@ import { DialogElement } from "./dialog";
 import { numberOf } from "./inputs";
 import "./site-plan-preview";
 import { chosenOf } from "./chosen";
+import type { Said } from "../i18n/said";
 
 const say = words("sitePlan", messages);
 
@@ -172,9 +173,10 @@ export class SitePlanDialog extends DialogElement {
   }
 
   /** The scene, or why there is none. */
-  private made(plan: SitePlan): Made | { reason: string } {
+  private made(plan: SitePlan): Made | { reason: Said } {
     const { roles, unit, around } = this;
-    if (Object.values(roles).every((role) => role === "none")) return { reason: say(this.state.lang, "choose") };
+    if (Object.values(roles).every((role) => role === "none"))
+      return { reason: { message: say(this.state.lang, "choose") } };
     try {
       const made = sceneFromSitePlan(plan, {
         roles,
@@ -186,12 +188,12 @@ export class SitePlanDialog extends DialogElement {
       this.app.catalog?.geometry(scene);
       return { ...made, scene };
     } catch (error) {
-      if (error instanceof SitePlanError || error instanceof Error) return { reason: sentence(error) };
+      if (error instanceof SitePlanError || error instanceof Error) return { reason: refusal(error) };
       throw error;
     }
   }
 
-  private async accept(event: Event, made: Made | { reason: string }): Promise<void> {
+  private async accept(event: Event, made: Made | { reason: Said }): Promise<void> {
     event.preventDefault();
     if ("reason" in made) return;
     await (await vast.load()).prepare(made.scene, this.app.tokens());

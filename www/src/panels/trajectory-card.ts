@@ -50,7 +50,7 @@ export class TrajectoryCard extends AppElement {
     const { lang, results, focus } = this.state,
       plan = results[focus]!.plan!;
     if (smoothed?.failure)
-      return html`<p class="warn">${say(lang, "failed", { reason: sentence(smoothed.failure) })}</p>`;
+      return html`<p class="warn">${say(lang, "failed", { reason: { ...smoothed.failure, message: sentence(smoothed.failure.message) } })}</p>`;
     if (!smoothed?.trajectory) return html`<p>${say(lang, isTooLong(plan) ? "long" : "pending")}</p>`;
     return html`<p class="stage">${say(lang, STAGES[smoothed.trajectory.stage])}</p>${this.figures(smoothed, results[focus]!.drive?.t.at(-1))}`;
   }

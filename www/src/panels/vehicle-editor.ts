@@ -1,6 +1,6 @@
 import type { LibraryVehicle, Vehicle } from "parkade";
 import { css, html, nothing, svg, type TemplateResult } from "lit";
-import { sentence, type App } from "../app/app";
+import { refusal, type App } from "../app/app";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/vehicle-editor.json";
 import { words } from "../i18n/words";
@@ -103,7 +103,7 @@ export class VehicleEditor extends DialogElement {
     try {
       this.app.catalog?.geometry(setVehicle(scene, vehicle));
     } catch (error) {
-      return reasonIn(lang, sentence(error));
+      return reasonIn(lang, refusal(error));
     }
     return turningCircles(vehicle).inner <= 0 ? say(lang, "turnsInside") : null;
   }

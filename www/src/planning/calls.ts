@@ -14,10 +14,17 @@ export interface CallRequest {
 }
 export type CallReply = { kind: "call"; id: number } & ({ told: unknown } | { answer: unknown } | { error: Failure });
 
-/** What a function threw, with its code, field and line. */
-export class CallError extends Error {
-  constructor(readonly failure: Failure) {
+/** What a function threw, with its code, field, rule and line. */
+export class CallError extends Error implements Failure {
+  declare readonly code: string;
+  declare readonly path: string;
+  declare readonly template?: string;
+  declare readonly values?: readonly string[];
+  declare readonly line?: number;
+
+  constructor(failure: Failure) {
     super(failure.message);
+    Object.assign(this, failure);
   }
 }
 

@@ -11,6 +11,7 @@ import { CallError } from "./calls";
 import { Helper } from "./job-client";
 import type { Line } from "./trajectories";
 import { messageOf } from "../i18n/said";
+import { fieldsOf } from "../scene/keys";
 
 /** Longer paths stay as they are planned, metres: an optimisation grows with the length. */
 const LONGEST = 150;
@@ -150,9 +151,10 @@ class Smoother {
       });
     } catch (error) {
       // A drag says nothing of the plan.
-      if (!this.isDropped) this.known.set(plan!, { ...plain, failure: messageOf(error) });
+      if (!this.isDropped)
+        this.known.set(plan!, { ...plain, failure: { ...fieldsOf(error), message: messageOf(error) } });
       // A trap leaves the module's memory in an unknown state.
-      if (error instanceof CallError && error.failure.code === "internal") this.stop();
+      if (error instanceof CallError && error.code === "internal") this.stop();
     }
     this.asked = null;
     this.idle = setTimeout(() => this.stop(), IDLE_MS);

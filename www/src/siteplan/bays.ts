@@ -4,6 +4,7 @@ import { boxOf, distance, insidePolygon, towards, wrapAngle, type Box, type Poin
 import { chained, straightened } from "./chain";
 import { SitePlanError } from "./site-plan";
 import { nth } from "../scene/nth";
+import { rule } from "../i18n/rule";
 
 export type Quad = [Point, Point, Point, Point];
 export type Segment = [Point, Point];
@@ -43,7 +44,7 @@ export function findBays(given: readonly SitePlanLine[]): FoundBays {
   }
   if (open.length > MOST_LINES)
     throw new SitePlanError(
-      `the layers of bays must have at most ${MOST_LINES} lines, and have ${open.length}; leave layers out`,
+      rule`the layers of bays must have at most ${MOST_LINES} lines, and have ${open.length}; leave layers out`,
     );
   const pieces = split(open);
   for (const kind of [BESIDE, BEHIND])

@@ -1,5 +1,6 @@
 /** DXF as text: pairs of a group code and a value, gathered to records that begin with code 0. */
 import { SitePlanError } from "./site-plan";
+import { rule } from "../i18n/rule";
 
 export interface Group {
   code: number;
@@ -23,17 +24,18 @@ export function* recordsOf(text: string): Generator<DxfRecord> {
   let record: DxfRecord | null = null;
   for (const group of groupsOf(text)) {
     if (group.code !== 0) {
-      if (!record) throw new SitePlanError(`must begin with "0" and "SECTION", got ${shown(group.value)}`, group.line);
+      if (!record)
+        throw new SitePlanError(rule`must begin with "0" and "SECTION", got ${shown(group.value)}`, group.line);
       if (isRead(group.code)) record.groups.push(group);
       if (record.groups.length > MOST_GROUPS)
-        throw new SitePlanError(`an entity must have at most ${MOST_GROUPS} groups`, group.line);
+        throw new SitePlanError(rule`an entity must have at most ${MOST_GROUPS} groups`, group.line);
       continue;
     }
     if (record) yield record;
     if (group.value === "EOF") return;
     record = { type: group.value, line: group.line, groups: [] };
   }
-  throw new SitePlanError("the file ends before its end mark EOF; it may be cut off");
+  throw new SitePlanError(rule`the file ends before its end mark EOF; it may be cut off`);
 }
 
 /** Handles, subclass marks and other programs' data are left out. */
@@ -56,10 +58,10 @@ function* groupsOf(text: string): Generator<Group> {
     if (head === null) return;
     if (!/^-?\d{1,4}$/.test(head)) {
       // Empty lines may follow the end mark only, which ends the reading.
-      throw new SitePlanError(`must be a group code, got ${shown(head)}`, line);
+      throw new SitePlanError(rule`must be a group code, got ${shown(head)}`, line);
     }
     const value = next();
-    if (value === null) throw new SitePlanError("the file ends before its end mark EOF; it may be cut off", line);
+    if (value === null) throw new SitePlanError(rule`the file ends before its end mark EOF; it may be cut off`, line);
     if (Number(head) !== 999) yield { code: Number(head), value, line };
   }
 }
@@ -71,14 +73,14 @@ export function numberIn(record: DxfRecord, code: number, otherwise?: number): n
   const group = record.groups.find((one) => one.code === code);
   if (!group) {
     if (otherwise !== undefined) return otherwise;
-    throw new SitePlanError(`${record.type} must have a group ${code}`, record.line);
+    throw new SitePlanError(rule`${record.type} must have a group ${code}`, record.line);
   }
   return numberOf(group);
 }
 
 export function numberOf({ value, line, code }: Group): number {
   const read = value === "" ? Number.NaN : Number(value);
-  if (!Number.isFinite(read)) throw new SitePlanError(`group ${code} must be a number, got ${shown(value)}`, line);
+  if (!Number.isFinite(read)) throw new SitePlanError(rule`group ${code} must be a number, got ${shown(value)}`, line);
   return read;
 }
 

@@ -4,6 +4,7 @@ import { after, bulged, circleArc, ellipseArc, IDENTITY, mapped, spline, type Af
 import { numberIn, numberOf, recordsOf, textIn, type DxfRecord } from "./dxf-groups";
 import { PlanBuilder, SitePlanError } from "./site-plan";
 import { lastIn, nth } from "../scene/nth";
+import { rule } from "../i18n/rule";
 
 /** Metres per unit by the header's `$INSUNITS`. */
 const UNITS: Record<number, number> = {
@@ -29,8 +30,8 @@ interface Block {
 }
 
 export function readDxf(text: string): SitePlan {
-  if (text.startsWith("AutoCAD Binary DXF")) throw new SitePlanError("this DXF is binary; save it as text (ASCII)");
-  if (/^AC10\d\d/.test(text)) throw new SitePlanError("this is a DWG file; save it as DXF");
+  if (text.startsWith("AutoCAD Binary DXF")) throw new SitePlanError(rule`this DXF is binary; save it as text (ASCII)`);
+  if (/^AC10\d\d/.test(text)) throw new SitePlanError(rule`this is a DWG file; save it as DXF`);
   const { entities, blocks, unit } = sectionsOf(text);
   const builder = new PlanBuilder();
   new Drawing(blocks, builder).draw(entities, IDENTITY, null, 0);
@@ -46,7 +47,7 @@ function sectionsOf(text: string): { entities: DxfRecord[]; blocks: Map<string, 
     kept = 0;
   for (const record of recordsOf(text)) {
     if (section !== "" && section !== "HEADER" && ++kept > MOST_ENTITIES)
-      throw new SitePlanError(`a drawing must have at most ${MOST_ENTITIES} entities`, record.line);
+      throw new SitePlanError(rule`a drawing must have at most ${MOST_ENTITIES} entities`, record.line);
     if (record.type === "SECTION") {
       section = textIn(record, 2, "");
       if (section === "HEADER") unit = unitOf(record);
@@ -78,7 +79,7 @@ const pointIn = (record: DxfRecord, code: number, otherwise?: number): Point => 
 function pointsIn(record: DxfRecord, code: number): Point[] {
   const xs = record.groups.filter((one) => one.code === code),
     ys = record.groups.filter((one) => one.code === code + 10);
-  if (xs.length !== ys.length) throw new SitePlanError(`${record.type} must have as many y as x`, record.line);
+  if (xs.length !== ys.length) throw new SitePlanError(rule`${record.type} must have as many y as x`, record.line);
   return xs.map((x, i) => [numberOf(x), numberOf(nth(ys, i))]);
 }
 
@@ -126,12 +127,12 @@ class Drawing {
     const name = textIn(record, 2, ""),
       block = this.blocks.get(name);
     if (!block) return this.builder.skip("INSERT");
-    if (depth >= DEEPEST) throw new SitePlanError(`blocks must be at most ${DEEPEST} deep`, record.line);
+    if (depth >= DEEPEST) throw new SitePlanError(rule`blocks must be at most ${DEEPEST} deep`, record.line);
     const columns = numberIn(record, 70, 1),
       rows = numberIn(record, 71, 1);
     this.inserts += Math.max(1, columns * rows);
     if (columns * rows > MOST_COPIES || this.inserts > MOST_INSERTS)
-      throw new SitePlanError(`blocks must be placed at most ${MOST_INSERTS} times`, record.line);
+      throw new SitePlanError(rule`blocks must be placed at most ${MOST_INSERTS} times`, record.line);
     const turn = radians(numberIn(record, 50, 0)),
       scale = [numberIn(record, 41, 1), numberIn(record, 42, 1)] as const,
       [x, y] = pointIn(record, 10);
@@ -196,12 +197,12 @@ function lightPolyline(record: DxfRecord): SitePlanLine {
   for (const group of record.groups) {
     if (group.code === 10) x = numberOf(group);
     else if (group.code === 20) {
-      if (x === null) throw new SitePlanError("LWPOLYLINE must have as many y as x", group.line);
+      if (x === null) throw new SitePlanError(rule`LWPOLYLINE must have as many y as x`, group.line);
       corners.push({ at: [x, numberOf(group)], bulge: 0 });
       x = null;
     } else if (group.code === 42 && corners.length > 0) lastIn(corners).bulge = numberOf(group);
   }
-  if (x !== null) throw new SitePlanError("LWPOLYLINE must have as many y as x", record.line);
+  if (x !== null) throw new SitePlanError(rule`LWPOLYLINE must have as many y as x`, record.line);
   return withBulges(corners, (numberIn(record, 70, 0) & 1) === 1);
 }
 

@@ -5,6 +5,7 @@ import { circleArc } from "./curves";
 import { areDegrees, localProjection } from "./projection";
 import { PlanBuilder, SitePlanError } from "./site-plan";
 import { nth } from "../scene/nth";
+import { rule } from "../i18n/rule";
 
 /** Tags that say what a thing is, the first that a feature has counts. */
 const TELLING = ["amenity", "building", "barrier", "parking", "highway", "landuse", "natural", "area:highway"];
@@ -59,7 +60,7 @@ export function parsed(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (error) {
-    throw new SitePlanError(`must be JSON: ${error instanceof Error ? error.message : String(error)}`);
+    throw new SitePlanError(rule`must be JSON: ${error instanceof Error ? error.message : String(error)}`);
   }
 }
 
@@ -67,11 +68,11 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
 function walk(value: unknown, path: string, tags: Tags, drawn: Drawn[], depth: number): void {
-  if (!isObject(value)) throw new SitePlanError(`${path}: must be a GeoJSON object`);
-  if (depth > MOST_DEEP) throw new SitePlanError(`${path}: must be at most ${MOST_DEEP} objects deep`);
+  if (!isObject(value)) throw new SitePlanError(rule`${path}: must be a GeoJSON object`);
+  if (depth > MOST_DEEP) throw new SitePlanError(rule`${path}: must be at most ${MOST_DEEP} objects deep`);
   const each = (key: string, own: Tags = tags): void => {
     const list = value[key];
-    if (!Array.isArray(list)) throw new SitePlanError(`${path}.${key}: must be a list`);
+    if (!Array.isArray(list)) throw new SitePlanError(rule`${path}.${key}: must be a list`);
     list.forEach((one, i) => walk(one, `${path}.${key}[${i}]`, own, drawn, depth + 1));
   };
   switch (value["type"]) {
@@ -119,13 +120,13 @@ function geometry(value: Record<string, unknown>, path: string, tags: Tags, draw
       );
     default:
       throw new SitePlanError(
-        `${path}.type: must be a kind of GeoJSON, got ${JSON.stringify(value["type"])?.slice(0, 40)}`,
+        rule`${path}.type: must be a kind of GeoJSON, got ${JSON.stringify(value["type"])?.slice(0, 40)}`,
       );
   }
 }
 
 function listOf(value: unknown, path: string): unknown[] {
-  if (!Array.isArray(value)) throw new SitePlanError(`${path}: must be a list`);
+  if (!Array.isArray(value)) throw new SitePlanError(rule`${path}: must be a list`);
   return value;
 }
 
@@ -135,6 +136,6 @@ const positions = (value: unknown, path: string): Point[] =>
 function position(value: unknown, path: string): Point {
   const [x, y] = Array.isArray(value) ? value : [];
   if (typeof x !== "number" || typeof y !== "number" || !Number.isFinite(x) || !Number.isFinite(y))
-    throw new SitePlanError(`${path}: must be two numbers`);
+    throw new SitePlanError(rule`${path}: must be two numbers`);
   return [x, y];
 }

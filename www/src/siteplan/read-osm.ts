@@ -6,6 +6,7 @@ import { PlanBuilder, SitePlanError } from "./site-plan";
 import { readXml } from "./xml";
 import { nth } from "../scene/nth";
 import { fieldsOf } from "../scene/keys";
+import { rule } from "../i18n/rule";
 
 type Tags = Record<string, string>;
 interface Way {
@@ -101,13 +102,13 @@ function fromXml(text: string): Extract {
     },
     close: () => {},
   });
-  if (!isOsm) throw new SitePlanError("the file must hold <osm>");
+  if (!isOsm) throw new SitePlanError(rule`the file must hold <osm>`);
   return extract;
 }
 
 function needed(attribute: (name: string) => string | undefined, name: string, of: string, line?: number): string {
   const value = attribute(name);
-  if (value === undefined) throw new SitePlanError(`<${of}> must have the attribute ${name}`, line);
+  if (value === undefined) throw new SitePlanError(rule`<${of}> must have the attribute ${name}`, line);
   return value;
 }
 
@@ -117,24 +118,24 @@ function addNode({ nodes }: Extract, id: string, lon: unknown, lat: unknown, tag
   const degrees = (value: unknown): number => (value === "" ? Number.NaN : Number(value)),
     [x, y] = [degrees(lon), degrees(lat)];
   if (!(Math.abs(x) <= 180 && Math.abs(y) <= 90))
-    throw new SitePlanError(`node ${id}: lon and lat must be degrees, got ${String(lon)} and ${String(lat)}`, line);
+    throw new SitePlanError(rule`node ${id}: lon and lat must be degrees, got ${String(lon)} and ${String(lat)}`, line);
   nodes.set(id, { at: [x, y], tags });
-  if (nodes.size > MOST_NODES) throw new SitePlanError(`an extract must have at most ${MOST_NODES} nodes`, line);
+  if (nodes.size > MOST_NODES) throw new SitePlanError(rule`an extract must have at most ${MOST_NODES} nodes`, line);
 }
 
 function fromJson(text: string): Extract {
   const extract: Extract = { nodes: new Map(), ways: new Map(), relations: [] },
     whole = fieldsOf(parsed(text));
-  if (!Array.isArray(whole["elements"])) throw new SitePlanError("elements: must be a list");
+  if (!Array.isArray(whole["elements"])) throw new SitePlanError(rule`elements: must be a list`);
   whole["elements"].forEach((one: unknown, i) => {
     const { type, id, lon, lat, nodes, members, tags } = fieldsOf(one),
       own = Object.fromEntries(Object.entries(Object(tags)).map(([key, value]) => [key, String(value)]));
     if (type === "node") addNode(extract, String(id), lon, lat, own);
     else if (type === "way") {
-      if (!Array.isArray(nodes)) throw new SitePlanError(`elements[${i}].nodes: must be a list`);
+      if (!Array.isArray(nodes)) throw new SitePlanError(rule`elements[${i}].nodes: must be a list`);
       extract.ways.set(String(id), { refs: nodes.map(String), tags: own });
     } else if (type === "relation") {
-      if (!Array.isArray(members)) throw new SitePlanError(`elements[${i}].members: must be a list`);
+      if (!Array.isArray(members)) throw new SitePlanError(rule`elements[${i}].members: must be a list`);
       const read = members.map((member: unknown) => {
         const { type: kind, ref } = fieldsOf(member);
         return { type: String(kind), ref: String(ref) };

@@ -5,6 +5,7 @@ import { readGeoJson } from "./read-geojson";
 import { readOsm } from "./read-osm";
 import { readSvg } from "./read-svg";
 import { MOST_BYTES, SitePlanError, type SitePlanKind } from "./site-plan";
+import { rule } from "../i18n/rule";
 
 const READERS: Record<SitePlanKind, (text: string) => SitePlan> = {
   dxf: readDxf,
@@ -17,7 +18,7 @@ const READERS: Record<SitePlanKind, (text: string) => SitePlan> = {
 export function readSitePlan(name: string, content: string | Uint8Array): SitePlan {
   if (content.length > MOST_BYTES)
     throw new SitePlanError(
-      `a site plan must have at most ${MOST_BYTES / 1e6} MB, got ${Math.ceil(content.length / 1e6)} MB`,
+      rule`a site plan must have at most ${MOST_BYTES / 1e6} MB, got ${Math.ceil(content.length / 1e6)} MB`,
     );
   const text = (typeof content === "string" ? content : new TextDecoder().decode(content)).replace(/^\uFEFF/, "");
   return READERS[kindOf(name, text)](text);

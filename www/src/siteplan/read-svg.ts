@@ -5,6 +5,7 @@ import type { Point } from "../scene/geometry";
 import { bezier } from "./curves";
 import { PlanBuilder, SitePlanError } from "./site-plan";
 import { readXml } from "./xml";
+import { rule } from "../i18n/rule";
 
 type Attribute = (name: string) => string | undefined;
 
@@ -43,7 +44,7 @@ export function readSvg(text: string): SitePlan {
     },
     close: () => groups.pop(),
   });
-  if (!isSvg) throw new SitePlanError("the file must hold <svg>");
+  if (!isSvg) throw new SitePlanError(rule`the file must hold <svg>`);
   return builder.build("svg", unit);
 }
 
@@ -74,7 +75,7 @@ function pathOf(name: string, attribute: Attribute, line: number): string | null
     if (text === undefined) return otherwise;
     const read = Number(text.trim().replace(/px$/, "") || Number.NaN);
     if (!Number.isFinite(read))
-      throw new SitePlanError(`<${name}> ${key} must be a number, got ${JSON.stringify(text.slice(0, 40))}`, line);
+      throw new SitePlanError(rule`<${name}> ${key} must be a number, got ${JSON.stringify(text.slice(0, 40))}`, line);
     return read;
   };
   switch (name) {
@@ -108,7 +109,7 @@ function pointsPath(text: string, name: string, line: number): string | null {
     .split(/[\s,]+/)
     .filter(Boolean);
   if (numbers.length % 2 === 1 || numbers.some((one) => !Number.isFinite(Number(one))))
-    throw new SitePlanError(`<${name}> points must be pairs of numbers`, line);
+    throw new SitePlanError(rule`<${name}> points must be pairs of numbers`, line);
   return numbers.length < 4 ? null : `M${numbers.join(" ")}${name === "polygon" ? "z" : ""}`;
 }
 
@@ -116,7 +117,7 @@ function pointsPath(text: string, name: string, line: number): string | null {
 function linesOf(data: string, transform: string, line: number): [Point[], boolean][] {
   const path = svgpath(data);
   const { err } = path as unknown as { err?: string };
-  if (err) throw new SitePlanError(`a path must be drawable: ${err}`, line);
+  if (err) throw new SitePlanError(rule`a path must be drawable: ${err}`, line);
   const lines: [Point[], boolean][] = [];
   let points: Point[] = [];
   const end = (closed: boolean): void => {

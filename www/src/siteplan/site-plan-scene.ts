@@ -18,6 +18,7 @@ import { chained, straightened } from "./chain";
 import { clippedLine, clippedPolygon } from "./clip";
 import { SitePlanError } from "./site-plan";
 import { lastIn, nth } from "../scene/nth";
+import { rule } from "../i18n/rule";
 
 export const ROLES = ["none", "wall", "kerb", "column", "building", "bay", "ground"] as const satisfies readonly Role[];
 
@@ -69,8 +70,9 @@ export function widthOf({ layers }: SitePlan): number {
 export function sceneFromSitePlan(plan: SitePlan, options: SitePlanOptions): SitePlanScene {
   const { metresPerUnit, around = AROUND, vehicle = "sedan" } = options;
   if (!(metresPerUnit > 0 && Number.isFinite(metresPerUnit)))
-    throw new SitePlanError(`metresPerUnit: must be a positive number, got ${metresPerUnit}`);
-  if (!(around >= 0 && Number.isFinite(around))) throw new SitePlanError(`around: must be at least 0 m, got ${around}`);
+    throw new SitePlanError(rule`metresPerUnit: must be a positive number, got ${metresPerUnit}`);
+  if (!(around >= 0 && Number.isFinite(around)))
+    throw new SitePlanError(rule`around: must be at least 0 m, got ${around}`);
   const of = linesByRole(plan, options),
     found = findBays(of.bay),
     ground = groundOf(of.ground, found.quads),
@@ -109,9 +111,9 @@ function linesByRole({ layers }: SitePlan, { roles, metresPerUnit }: SitePlanOpt
   const of: ByRole = { wall: [], kerb: [], column: [], building: [], bay: [], ground: [] };
   for (const [name, role] of Object.entries(roles))
     if (!ROLES.includes(role))
-      throw new SitePlanError(`roles[${JSON.stringify(name)}]: must be one of ${ROLES.join(", ")}`);
+      throw new SitePlanError(rule`roles[${JSON.stringify(name)}]: must be one of ${ROLES.join(", ")}`);
   const chosen = layers.filter(({ name }) => (roles[name] ?? "none") !== "none");
-  if (chosen.length === 0) throw new SitePlanError("roles: must give at least one layer of the plan a meaning");
+  if (chosen.length === 0) throw new SitePlanError(rule`roles: must give at least one layer of the plan a meaning`);
   const box = boxOf(chosen.flatMap(({ lines }) => lines.flatMap(({ points }) => points)));
   const placed = ([x, y]: Point): Point => [(x - box.minX) * metresPerUnit, (y - box.minY) * metresPerUnit];
   for (const { name, lines } of chosen)
@@ -131,7 +133,7 @@ function windowOf(of: ByRole, ground: readonly Point[] | null, bays: readonly Po
     by = ground ? EDGE : around;
   if (isTooWide(box))
     throw new SitePlanError(
-      `the plan must be at most ${WIDEST} m wide, and is ${Math.ceil(Math.max(box.maxX - box.minX, box.maxY - box.minY))} m; choose another unit or fewer layers`,
+      rule`the plan must be at most ${WIDEST} m wide, and is ${Math.ceil(Math.max(box.maxX - box.minX, box.maxY - box.minY))} m; choose another unit or fewer layers`,
     );
   return { minX: box.minX - by, minY: box.minY - by, maxX: box.maxX + by, maxY: box.maxY + by };
 }
@@ -167,7 +169,7 @@ function solidsOf(of: ByRole, window: Box): Solids {
     }
   if (solids.obstacles.length > MOST_OBSTACLES)
     throw new SitePlanError(
-      `the chosen layers must have at most ${MOST_OBSTACLES} obstacles, and have ${solids.obstacles.length}; leave layers out`,
+      rule`the chosen layers must have at most ${MOST_OBSTACLES} obstacles, and have ${solids.obstacles.length}; leave layers out`,
     );
   return solids;
 }
@@ -218,7 +220,7 @@ const apronsOf = (slots: readonly Slot[], segments: readonly Segment[]): Point[]
   });
 
 function frameOf(ground: readonly Point[] | null, points: readonly Point[]): Scenario["map"] {
-  if (!ground && points.length === 0) throw new SitePlanError("the chosen layers hold nothing that a scene has");
+  if (!ground && points.length === 0) throw new SitePlanError(rule`the chosen layers hold nothing that a scene has`);
   const box = boxOf([...(ground ?? points)]),
     edge = ground ? 0 : EDGE,
     [x, y] = [Math.floor(box.minX - edge), Math.floor(box.minY - edge)],
@@ -276,7 +278,7 @@ function startFor(slots: readonly Slot[], solids: Solids, outline: readonly Poin
   for (let x = box.minX + step; x < box.maxX; x += step)
     for (let y = box.minY + step; y < box.maxY; y += step)
       for (const heading of [0, Math.PI / 2]) if (isFree({ x, y, heading })) return { x, y, heading };
-  throw new SitePlanError("the chosen layers must leave room for a car to start");
+  throw new SitePlanError(rule`the chosen layers must leave room for a car to start`);
 }
 
 function aheadOf(start: Pose): Pose {

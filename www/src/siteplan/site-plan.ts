@@ -1,19 +1,25 @@
 import type { SitePlan, SitePlanLine } from "parkade/siteplan";
 import type { Point } from "../scene/geometry";
 import { lastIn, nth } from "../scene/nth";
+import { rule } from "../i18n/rule";
+import type { Said } from "../i18n/said";
 
 export type SitePlanKind = SitePlan["kind"];
 
 /** Why a file is no site plan. */
 export class SitePlanError extends Error {
   readonly code = "bad-import";
+  readonly template: string;
+  readonly values: readonly string[];
   /** `line`: of the file, from 1; absent where the reason has no place. */
   constructor(
-    message: string,
+    { message, template = message, values = [] }: Said,
     readonly line?: number,
   ) {
     super(message);
     this.name = "SitePlanError";
+    this.template = template;
+    this.values = values;
   }
 }
 
@@ -37,13 +43,13 @@ export class PlanBuilder {
     if (kept.length < 2) return;
     for (const [x, y] of kept)
       if (!(Math.abs(x) <= FURTHEST && Math.abs(y) <= FURTHEST))
-        throw new SitePlanError(`coordinates must be at most ${FURTHEST} units, got ${x}, ${y}`, line);
+        throw new SitePlanError(rule`coordinates must be at most ${FURTHEST} units, got ${x}, ${y}`, line);
     this.count += kept.length;
     if (this.count > MOST_PLAN_POINTS)
-      throw new SitePlanError(`a site plan must have at most ${MOST_PLAN_POINTS} points`, line);
+      throw new SitePlanError(rule`a site plan must have at most ${MOST_PLAN_POINTS} points`, line);
     const lines = this.layers.get(layer) ?? [];
     if (lines.length === 0 && this.layers.size === MOST_LAYERS)
-      throw new SitePlanError(`a site plan must have at most ${MOST_LAYERS} layers`, line);
+      throw new SitePlanError(rule`a site plan must have at most ${MOST_LAYERS} layers`, line);
     this.layers.set(layer, lines);
     lines.push({ points: kept, closed: closed && kept.length > 2 });
   }
@@ -53,7 +59,7 @@ export class PlanBuilder {
   }
 
   build(kind: SitePlanKind, metresPerUnit: number | null): SitePlan {
-    if (this.layers.size === 0) throw new SitePlanError("the file holds no lines that can be read");
+    if (this.layers.size === 0) throw new SitePlanError(rule`the file holds no lines that can be read`);
     const layers = [...this.layers].map(([name, lines]) => ({ name, lines }));
     const left = [...this.skipped].map(([what, n]) => `${what} (${n})`);
     return { kind, layers, metresPerUnit, notes: left.length > 0 ? [`Left out: ${left.join(", ")}`] : [] };

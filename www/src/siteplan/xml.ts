@@ -1,6 +1,7 @@
 /** XML as a stream of elements; strict, with the line of a mistake. */
 import { SaxesParser } from "saxes";
 import { SitePlanError } from "./site-plan";
+import { rule } from "../i18n/rule";
 
 export interface XmlReader {
   open(name: string, attribute: (name: string) => string | undefined, line: number): void;
@@ -15,10 +16,10 @@ export function readXml(text: string, reader: XmlReader): void {
   const parser = new SaxesParser();
   let depth = 0;
   parser.on("error", (error) => {
-    throw new SitePlanError(`must be XML: ${error.message.replace(/^\d+:\d+: /, "")}`, parser.line);
+    throw new SitePlanError(rule`must be XML: ${error.message.replace(/^\d+:\d+: /, "")}`, parser.line);
   });
   parser.on("opentag", ({ name, attributes }) => {
-    if (++depth > MOST_DEEP) throw new SitePlanError(`elements must be at most ${MOST_DEEP} deep`, parser.line);
+    if (++depth > MOST_DEEP) throw new SitePlanError(rule`elements must be at most ${MOST_DEEP} deep`, parser.line);
     const values = attributes as Record<string, string>;
     reader.open(name, (key) => (Object.hasOwn(values, key) ? values[key] : undefined), parser.line);
   });

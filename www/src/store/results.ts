@@ -1,6 +1,7 @@
 /** Parts of a planner's results. */
 import type { Drive, Encounter, HybridPlan, Judgement, OptimisedTrajectory, Plan, Prefer } from "parkade";
 import type { PanelResult, Scene, State } from ".";
+import type { Said } from "../i18n/said";
 
 /** Milliseconds of a plan: until its search ended, and with what follows, measures and checks its path. */
 export interface Timing {
@@ -23,7 +24,7 @@ export interface Smoothed {
   drive: Drive | Encounter | null;
   trajectory: OptimisedTrajectory | null;
   /** Why there is none. */
-  failure: string | null;
+  failure: Said | null;
 }
 
 /** Somebody else's trajectory, from a file. */
