@@ -26,7 +26,7 @@ export class ContextMenu extends AppElement {
   static override styles = [
     controls,
     css`
-    .popover { position: fixed; z-index: 40; min-width: 190px; }
+    .popover { z-index: 40; min-width: 190px; }
     .item[aria-checked] svg { visibility: hidden; }
     .item[aria-checked="true"] svg { visibility: visible; }
   `,

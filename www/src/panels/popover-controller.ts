@@ -1,67 +1,97 @@
 import type { ReactiveController, ReactiveControllerHost } from "lit";
 
-/** Which of a host's popovers is open; closes on Escape, on a press elsewhere and when focus leaves. */
+/** From a button to its popover, and to the window's edges; CSS pixels. */
+const GAP = 6,
+  EDGE = 4;
+
+/** After these the button is elsewhere. */
+const MOVED = ["resize", "scroll"];
+
+/**
+ * Which of a host's popovers is open. The platform has it over everything, and closes it on Escape and on a press elsewhere; its
+ * button names it by `popovertarget`, so that a second press closes it.
+ */
 export class Menus<Name extends string> implements ReactiveController {
   open: Name | null = null;
-  private opener: HTMLElement | null = null;
 
   constructor(private readonly host: ReactiveControllerHost & HTMLElement) {
     host.addController(this);
   }
 
   hostConnected(): void {
-    document.addEventListener("pointerdown", this.onPress, true);
     this.host.addEventListener("keydown", this.onKey);
+    for (const moved of MOVED) addEventListener(moved, this.close);
   }
 
   hostDisconnected(): void {
-    document.removeEventListener("pointerdown", this.onPress, true);
     this.host.removeEventListener("keydown", this.onKey);
+    for (const moved of MOVED) removeEventListener(moved, this.close);
+    this.open = null;
   }
 
-  toggle(name: Name, opener: HTMLElement): void {
-    this.opener = opener;
-    this.open = this.open === name ? null : name;
+  /** Opens one. Where it is open, the platform closes it by the same press. */
+  async toggle(name: Name, opener: HTMLElement): Promise<void> {
+    if (this.open === name) return;
+    this.open = name;
     this.host.requestUpdate();
-    if (this.open) void this.host.updateComplete.then(() => this.items()[0]?.focus());
+    await this.host.updateComplete;
+    const { popover } = this;
+    if (this.open !== name || !popover) return;
+    popover.addEventListener("beforetoggle", ({ newState }) => {
+      // Browsers lose the focus that was in another tree than the document's.
+      if (newState === "closed" && popover.contains(this.focused)) opener.focus();
+    });
+    popover.addEventListener("toggle", ({ newState }) => newState === "closed" && this.closed(name));
+    popover.showPopover();
+    place(popover, opener);
+    this.items()[0]?.focus();
   }
 
-  close(): void {
+  readonly close = (): void => {
     if (!this.open) return;
+    if (this.popover?.matches(":popover-open")) this.popover.hidePopover();
+    this.closed(this.open);
+  };
+
+  private closed(name: Name): void {
+    if (this.open !== name) return;
     this.open = null;
     this.host.requestUpdate();
   }
 
-  private items(): HTMLElement[] {
-    return [...(this.host.shadowRoot?.querySelectorAll<HTMLElement>(".popover button, .popover input") ?? [])];
+  private get focused(): Element | null {
+    return this.host.shadowRoot?.activeElement ?? null;
   }
 
-  private readonly onPress = (event: Event): void => {
-    const inside = event
-      .composedPath()
-      .some(
-        (node) =>
-          node === this.opener ||
-          (node instanceof HTMLElement &&
-            node.classList.contains("popover") &&
-            node.getRootNode() === this.host.shadowRoot),
-      );
-    if (!inside) this.close();
-  };
+  private get popover(): HTMLElement | null {
+    return this.host.shadowRoot?.querySelector<HTMLElement>(".popover") ?? null;
+  }
+
+  private items(): HTMLElement[] {
+    return [...(this.popover?.querySelectorAll<HTMLElement>("button, input") ?? [])];
+  }
 
   private readonly onKey = (event: KeyboardEvent): void => {
     if (!this.open) return;
-    if (event.key === "Escape") {
-      event.stopPropagation();
-      this.close();
-      this.opener?.focus();
-      return;
-    }
+    // The page's own Escape gives up what is being drawn.
+    if (event.key === "Escape") event.stopPropagation();
     if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
-    const items = this.items();
-    const now = items.indexOf(this.host.shadowRoot?.activeElement as HTMLElement);
+    const items = this.items(),
+      now = items.findIndex((one) => one === this.focused);
     if (now < 0) return;
     event.preventDefault();
     items[(now + (event.key === "ArrowDown" ? 1 : -1) + items.length) % items.length]?.focus();
   };
+}
+
+/** Below its button or, where there is no room, above; `right`: their right sides are in line; `beside`: to the right of it. */
+function place(popover: HTMLElement, opener: HTMLElement): void {
+  const { left, right, top, bottom } = opener.getBoundingClientRect(),
+    { offsetWidth: width, offsetHeight: height, classList } = popover;
+  const below = bottom + GAP,
+    isBeside = classList.contains("beside");
+  const x = isBeside ? right + GAP : classList.contains("right") ? right - width : left,
+    y = isBeside ? top : below + height <= innerHeight - EDGE ? below : top - GAP - height;
+  popover.style.left = `${Math.max(EDGE, Math.min(x, innerWidth - width - EDGE))}px`;
+  popover.style.top = `${Math.max(EDGE, Math.min(y, innerHeight - height - EDGE))}px`;
 }

@@ -48,7 +48,7 @@ export class MetricsTable extends AppElement {
     footer > span:first-child { flex: 1; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
     footer .end { display: flex; gap: 4px; flex: none; position: relative; }
     footer .button { height: 26px; font-size: 12px; min-height: 0; color: var(--parkade-t1); }
-    .popover { bottom: calc(100% + 4px); right: 0; min-width: 150px; font-size: 13px; line-height: 18px; }
+    .popover { min-width: 150px; font-size: 13px; line-height: 18px; }
     @container (max-width: 960px) { th, td { padding: 0 5px; } }
     :host([compact]) tbody tr { height: 29px; }
     :host([compact]) thead th { height: 26px; }
@@ -117,11 +117,11 @@ export class MetricsTable extends AppElement {
   private footer(): TemplateResult {
     return html`<footer><span title=${this.t("table.rule")}>★ ${this.t("table.rule")}</span>${this.hash()}
       <span class="end">
-        <button class="button" aria-expanded=${this.menus.open === "copy"} @click=${(e: On<HTMLElement>) => this.menus.toggle("copy", e.currentTarget)}>
+        <button class="button" popovertarget="copy" aria-expanded=${this.menus.open === "copy"} @click=${(e: On<HTMLElement>) => this.menus.toggle("copy", e.currentTarget)}>
           ${icon(this.copied ? "check" : "copy", 14)}${this.t(this.copied ? "table.copied" : "table.copy")}${icon("down", 14)}</button>
         ${
           this.menus.open === "copy"
-            ? html`<div class="popover">${(["markdown", "csv", "json"] as const).map(
+            ? html`<div class="popover right" id="copy" popover>${(["markdown", "csv", "json"] as const).map(
                 (format) => html`
           <button class="item" @click=${() => void this.copy(format)}>${this.t(`table.${format}`)}</button>`,
               )}</div>`

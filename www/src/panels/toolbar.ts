@@ -1,6 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { ariaKeys, shownChord, tooltip } from "../app/chord-text";
-import { sentence } from "../app/app";
+import { refusal } from "../app/app";
 import type { Command } from "../app/command";
 import { commands, isEnabled, TOOLS, type CommandId } from "../app/commands";
 import "../i18n/later";
@@ -21,7 +21,7 @@ const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
 
 /** Contents of the menus. */
 const menus = piece(() => import("./toolbar-menus"));
-type MenuName = "planners" | "layers" | "export" | "more";
+type MenuName = "planners" | "layers" | "exports" | "more";
 
 /** The bar at the top: scene, history, tools, layers, layout, export, theme, language, share. */
 export class Toolbar extends AppElement {
@@ -52,10 +52,8 @@ export class Toolbar extends AppElement {
     .tool[aria-pressed="true"] kbd { color: var(--parkade-accent); }
     .end { margin-left: auto; display: flex; align-items: center; gap: 4px; flex: none; }
     .modes button { padding: 0 8px; }
-    .anchor { position: relative; display: flex; }
-    .popover { top: calc(100% + 6px); left: 0; }
+    .anchor { display: flex; }
     .popover { max-height: min(100vh - 72px, 100cqh - 54px); overflow-y: auto; }
-    .popover.right { left: auto; right: 0; }
     .popover .segmented { display: flex; margin: 2px 4px 6px; }
     .popover .segmented button { flex: 1; }
     .check { display: flex; align-items: center; gap: 10px; min-height: 28px; padding: 0 10px; border-radius: calc(6px * var(--parkade-radius)); cursor: pointer; }
@@ -84,7 +82,7 @@ export class Toolbar extends AppElement {
     :host([rail]) .bar { position: absolute; inset: 0; height: auto; }
     :host([rail]) .tools { flex: 1; min-height: 0; width: 100%; overflow-y: auto; scrollbar-width: none; }
     :host([rail]) .tool { flex: none; width: 48px; height: 44px; padding: 0; } :host([rail]) kbd { display: none; }
-    :host([rail]) .popover { inset: 4px auto auto 52px; max-height: calc(100cqh - 8px); }
+    :host([rail]) .popover { max-height: calc(100cqh - 8px); }
     :host([compact]) .scene { border: 0; background: none; font-weight: 600; flex: none; max-width: 230px; height: 44px; }
   `,
   ];
@@ -126,9 +124,9 @@ export class Toolbar extends AppElement {
       ${this.button("check", this.t("bar.checkBays"), this.checkBays, "bays")}
       <span class="end"><slot></slot>
         <span class="anchor collapse-1">
-          <button class="button menu" aria-expanded=${this.menus.open === "export"} aria-label=${this.t("bar.export")} @click=${(e: On<HTMLElement>) => this.toggle("export", e)}>
+          <button class="button menu" popovertarget="exports" aria-expanded=${this.menus.open === "exports"} aria-label=${this.t("bar.export")} @click=${(e: On<HTMLElement>) => this.toggle("exports", e)}>
             ${icon("export")}<span class="label">${this.t("bar.export")}</span>${icon("down", 14)}</button>
-          ${this.menus.open === "export" ? html`<div class="popover right">${menus()?.exports(this)}</div>` : nothing}
+          ${this.menus.open === "exports" ? this.menu("exports", "right") : nothing}
         </span>
         ${this.button("theme", this.themeName(), this.nextTheme, "collapse-1")}
         <button class="button lang collapse-1" aria-label=${this.t("bar.language")} title=${this.t("bar.language")} @click=${this.nextLang}>
@@ -179,44 +177,42 @@ export class Toolbar extends AppElement {
 
   private plannersMenu(): TemplateResult {
     const open = (event: On<HTMLElement>): void => {
-      void this.app.complete().catch((error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }));
+      void this.app.complete().catch((error: unknown) => this.app.refuse("error.load", { reason: refusal(error) }));
       this.toggle("planners", event);
     };
     return html`<span class="anchor collapse-2">
-      <button class="button menu" aria-expanded=${this.menus.open === "planners"} aria-label=${this.t("bar.planners")} title=${this.t("bar.planners")} ?disabled=${!this.ready} @click=${open}>
+      <button class="button menu" popovertarget="planners" aria-expanded=${this.menus.open === "planners"} aria-label=${this.t("bar.planners")} title=${this.t("bar.planners")} ?disabled=${!this.ready} @click=${open}>
         ${icon("planners")}<span class="label">${this.t("bar.planners")}</span>${icon("down", 14)}</button>
-      ${this.menus.open === "planners" ? html`<div class="popover planners">${menus()?.planners(this)}</div>` : nothing}</span>`;
+      ${this.menus.open === "planners" ? this.menu("planners", "planners") : nothing}</span>`;
   }
 
   private layersMenu(): TemplateResult {
     return html`<span class="anchor collapse-2">
-      <button class="button menu" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · ${keysOf("previousLayers", "nextLayers")}" @click=${(e: On<HTMLElement>) => this.toggle("layers", e)}>
+      <button class="button menu" popovertarget="layers" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · ${keysOf("previousLayers", "nextLayers")}" @click=${(e: On<HTMLElement>) => this.toggle("layers", e)}>
         ${icon("layers")}<span class="label">${this.t("bar.layers")}</span>${icon("down", 14)}</button>
-      ${this.menus.open === "layers" ? html`<div class="popover">${menus()?.layers(this)}</div>` : nothing}</span>`;
+      ${this.menus.open === "layers" ? this.menu("layers", "") : nothing}</span>`;
   }
 
   private moreMenu(name: string): TemplateResult {
     return html`<span class="anchor ${name}">
-      ${this.button("more", this.t("bar.more"), (e: On<HTMLElement>) => this.toggle("more", e), "")}
-      ${this.menus.open === "more" ? html`<div class="popover right">${menus()?.more(this)}</div>` : nothing}</span>`;
+      <button class="icon" popovertarget="more" aria-expanded=${this.menus.open === "more"} aria-label=${this.t("bar.more")} title=${this.t("bar.more")} @click=${(e: On<HTMLElement>) => this.toggle("more", e)}>${icon("more")}</button>
+      ${this.menus.open === "more" ? this.menu("more", this.rail ? "beside" : "right") : nothing}</span>`;
+  }
+
+  private menu(name: MenuName, kind: string): TemplateResult {
+    return html`<div class="popover ${kind}" id=${name} popover>${menus()?.[name](this)}</div>`;
   }
 
   /** Menu contents are fetched after the first picture. */
   private toggle(name: MenuName, { currentTarget: opener }: On<HTMLElement>): void {
     void menus.load().then(
       () => this.menus.toggle(name, opener),
-      (error: unknown) => this.app.refuse("error.load", { reason: sentence(error) }),
+      (error: unknown) => this.app.refuse("error.load", { reason: refusal(error) }),
     );
   }
 
-  private button(
-    name: IconName,
-    label: string,
-    run: (event: On<HTMLElement>) => void,
-    kind: string,
-    disabled = false,
-  ): TemplateResult {
-    return html`<button class="icon ${kind}" ?disabled=${disabled} aria-label=${label} title=${label} @click=${run}>${icon(name)}</button>`;
+  private button(name: IconName, label: string, run: () => void, kind: string): TemplateResult {
+    return html`<button class="icon ${kind}" aria-label=${label} title=${label} @click=${run}>${icon(name)}</button>`;
   }
 
   themeName(): string {

@@ -68,7 +68,7 @@ export const controls = css`
   .keys { color: var(--parkade-t3); font-size: 12px; line-height: 16px; }
 
   .popover {
-    position: absolute; z-index: 30; min-width: 200px; max-height: calc(100vh - 64px); max-height: calc(100dvh - 64px); overflow-y: auto; padding: 6px; background: var(--parkade-raise); color: var(--parkade-t1);
+    position: fixed; inset: auto; margin: 0; min-width: 200px; max-height: calc(100vh - 64px); max-height: calc(100dvh - 64px); overflow-y: auto; padding: 6px; background: var(--parkade-raise); color: var(--parkade-t1);
     border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float);
     animation: appear var(--parkade-mid) var(--parkade-ease);
   }
