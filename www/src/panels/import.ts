@@ -18,7 +18,7 @@ import { icon, type IconName } from "../styles/icons";
 import { nth } from "../scene/nth";
 import { rootOf } from "./beside";
 import { fieldsOf } from "../scene/keys";
-import { apart, withField } from "../app/refusals";
+import { apart } from "../app/refusals";
 
 const say = words("import", messages);
 
@@ -189,12 +189,16 @@ export class ImportBar extends AppElement {
 
   private complaint(error: unknown, name: string): string {
     const { lang } = this.state;
-    const { path, rule } = apart(error),
+    // Importers put values together before their rule has them: the catalogue knows their whole texts.
+    const {
+        path,
+        rule: { message },
+      } = apart(error),
       place = /^(.*):(\d+)$/.exec(path);
-    if (place) return say(lang, "line", { name: nth(place, 1), line: nth(place, 2), reason: rule });
+    if (place) return say(lang, "line", { name: nth(place, 1), line: nth(place, 2), reason: message });
     // The sentence begins with the file's name.
     const field = path.startsWith(`${name}.`) ? path.slice(name.length + 1) : path;
-    return say(lang, "bad", { name, reason: name.includes(field) ? rule : withField(field, rule) });
+    return say(lang, "bad", { name, reason: name.includes(field) ? message : `${field}: ${message}` });
   }
 
   protected override render(): TemplateResult | typeof nothing {
