@@ -20,67 +20,50 @@ pub struct PlannerId(&'static Row);
 
 /// Every planner, in the order of menus.
 static ROWS: &[Row] = &[
-    row("four", Family::Grid, ["4-neighbour", "四邻域"], "Hart, Nilsson, Raphael 1968", || {
+    row("four", ["4-neighbour", "四邻域"], "Hart, Nilsson, Raphael 1968", || {
         Settings::Grid(GridPlanner::around(Neighbourhood::Four))
     }),
-    row("eight", Family::Grid, ["8-neighbour", "八邻域"], "Hart, Nilsson, Raphael 1968", || {
+    row("eight", ["8-neighbour", "八邻域"], "Hart, Nilsson, Raphael 1968", || {
         Settings::Grid(GridPlanner::around(Neighbourhood::Eight))
     }),
     #[cfg(feature = "complete")]
-    row("sixteen", Family::Grid, ["16-neighbour", "十六邻域"], "Yuan 2020", || {
+    row("sixteen", ["16-neighbour", "十六邻域"], "Yuan 2020", || {
         Settings::Grid(GridPlanner::around(Neighbourhood::Sixteen))
     }),
     #[cfg(feature = "complete")]
-    row("twenty-four", Family::Grid, ["24-neighbour", "二十四邻域"], "Yuan 2020", || {
+    row("twenty-four", ["24-neighbour", "二十四邻域"], "Yuan 2020", || {
         Settings::Grid(GridPlanner::around(Neighbourhood::TwentyFour))
     }),
     #[cfg(feature = "complete")]
-    row("forty-eight", Family::Grid, ["48-neighbour", "四十八邻域"], "Yuan 2020", || {
+    row("forty-eight", ["48-neighbour", "四十八邻域"], "Yuan 2020", || {
         Settings::Grid(GridPlanner::around(Neighbourhood::FortyEight))
     }),
     #[cfg(feature = "complete")]
-    row(
-        "sixteen-bidirectional",
-        Family::Grid,
-        ["From both ends", "双向搜索"],
-        "Yuan 2020; Pijls, Post 2009",
-        || Settings::Grid(GridPlanner::Bidirectional(bidirectional::Config::DEFAULT)),
-    ),
+    row("sixteen-bidirectional", ["From both ends", "双向搜索"], "Yuan 2020; Pijls, Post 2009", || {
+        Settings::Grid(GridPlanner::Bidirectional(bidirectional::Config::DEFAULT))
+    }),
     #[cfg(feature = "complete")]
-    row("jump-point", Family::Grid, ["Jump points", "跳点搜索"], "Harabor, Grastien 2011", || {
+    row("jump-point", ["Jump points", "跳点搜索"], "Harabor, Grastien 2011", || {
         Settings::Grid(GridPlanner::JumpPoint(jump_point::Config::DEFAULT))
     })
     .without_costs(),
     #[cfg(feature = "complete")]
-    row(
-        "any-angle",
-        Family::Grid,
-        ["Any angle", "任意角（Theta*）"],
-        "Nash, Daniel, Koenig, Felner 2007",
-        || Settings::Grid(GridPlanner::AnyAngle(any_angle::Config::DEFAULT)),
-    )
+    row("any-angle", ["Any angle", "任意角（Theta*）"], "Nash, Daniel, Koenig, Felner 2007", || {
+        Settings::Grid(GridPlanner::AnyAngle(any_angle::Config::DEFAULT))
+    })
     .without_costs(),
-    row("risk-field", Family::Grid, ["Risk field", "改进A*（风险场）"], "Hu et al. 2024", || {
+    row("risk-field", ["Risk field", "改进A*（风险场）"], "Hu et al. 2024", || {
         Settings::Grid(GridPlanner::RiskField(risk_field::Config::PAPER))
     }),
     #[cfg(feature = "complete")]
-    row(
-        "risk-field-plus",
-        Family::Grid,
-        ["Risk field plus", "改进A*+（风险场）"],
-        "Hu et al. 2024, beyond",
-        || Settings::Grid(GridPlanner::RiskField(risk_field::Config::PLUS)),
-    ),
-    row(
-        "hybrid",
-        Family::Hybrid,
-        ["Hybrid A*", "混合A*"],
-        "Reverse-search hybrid A* for parking, 2025",
-        || Settings::Hybrid(hybrid::Config::DEFAULT),
-    ),
+    row("risk-field-plus", ["Risk field plus", "改进A*+（风险场）"], "Hu et al. 2024, beyond", || {
+        Settings::Grid(GridPlanner::RiskField(risk_field::Config::PLUS))
+    }),
+    row("hybrid", ["Hybrid A*", "混合A*"], "Reverse-search hybrid A* for parking, 2025", || {
+        Settings::Hybrid(hybrid::Config::DEFAULT)
+    }),
     row(
         "hybrid-forward",
-        Family::Hybrid,
         ["Hybrid A*, forward", "混合A*（从起点搜索）"],
         "Dolgov et al. 2010",
         || Settings::Hybrid(hybrid::Config::forward()),
@@ -88,43 +71,37 @@ static ROWS: &[Row] = &[
     #[cfg(feature = "complete")]
     row(
         "hybrid-bidirectional",
-        Family::Hybrid,
         ["Hybrid A*, both ends", "混合A*（双向搜索）"],
         "Reverse-search hybrid A* for parking, 2025",
         || Settings::Hybrid(hybrid::Config::bidirectional()),
     ),
     #[cfg(feature = "complete")]
-    row(
-        "hybrid-classic",
-        Family::Hybrid,
-        ["Hybrid A*, classic", "混合A*（经典）"],
-        "Dolgov et al. 2010",
-        || Settings::Hybrid(hybrid::Config::classic()),
-    ),
+    row("hybrid-classic", ["Hybrid A*, classic", "混合A*（经典）"], "Dolgov et al. 2010", || {
+        Settings::Hybrid(hybrid::Config::classic())
+    }),
     #[cfg(feature = "complete")]
     row(
         "cost-map",
-        Family::Road,
         ["Cost map", "代价地图A*"],
         "A* path planning for intelligent-vehicle road navigation, manuscript",
         || Settings::Road(cost_map::Config::DEFAULT),
     ),
     #[cfg(feature = "complete")]
-    row("dijkstra", Family::Grid, ["Dijkstra", "Dijkstra"], "Dijkstra 1959", || {
+    row("dijkstra", ["Dijkstra", "Dijkstra"], "Dijkstra 1959", || {
         Settings::Grid(GridPlanner::Dijkstra(dijkstra_greedy::Config::DEFAULT))
     }),
     #[cfg(feature = "complete")]
-    row("greedy", Family::Grid, ["Greedy best-first", "贪婪最佳优先"], "Doran, Michie 1966", || {
+    row("greedy", ["Greedy best-first", "贪婪最佳优先"], "Doran, Michie 1966", || {
         Settings::Grid(GridPlanner::Greedy(dijkstra_greedy::Config::DEFAULT))
     })
     .without_costs(),
     #[cfg(feature = "complete")]
-    row("rrt", Family::Grid, ["RRT", "RRT（快速扩展随机树）"], "LaValle 1998", || {
+    row("rrt", ["RRT", "RRT（快速扩展随机树）"], "LaValle 1998", || {
         Settings::Grid(GridPlanner::Rrt(rrt::Config::DEFAULT))
     })
     .without_costs(),
     #[cfg(feature = "complete")]
-    row("genetic", Family::Grid, ["Genetic", "遗传算法"], "Holland 1975", || {
+    row("genetic", ["Genetic", "遗传算法"], "Holland 1975", || {
         Settings::Grid(GridPlanner::Genetic(genetic::Config::DEFAULT))
     })
     .without_costs(),
@@ -132,11 +109,10 @@ static ROWS: &[Row] = &[
 
 struct Row {
     id: &'static str,
-    family: Family,
     /// English and Chinese.
     title: [&'static str; 2],
     paper: &'static str,
-    /// Its settings at their defaults.
+    /// Its settings at their defaults; their kind is its family.
     settings: fn() -> Settings,
     /// True if it knows that cells can cost more than others.
     takes_costs: bool,
@@ -144,12 +120,11 @@ struct Row {
 
 const fn row(
     id: &'static str,
-    family: Family,
     title: [&'static str; 2],
     paper: &'static str,
     settings: fn() -> Settings,
 ) -> Row {
-    Row { id, family, title, paper, settings, takes_costs: true }
+    Row { id, title, paper, settings, takes_costs: true }
 }
 
 impl Row {
@@ -168,6 +143,15 @@ pub(crate) enum Settings {
 }
 
 impl Settings {
+    fn family(&self) -> Family {
+        match self {
+            Self::Grid(_) => Family::Grid,
+            Self::Hybrid(_) => Family::Hybrid,
+            #[cfg(feature = "complete")]
+            Self::Road(_) => Family::Road,
+        }
+    }
+
     fn fields(&mut self) -> Vec<Field<'_>> {
         match self {
             Self::Grid(planner) => planner.fields(),
@@ -207,7 +191,7 @@ impl PlannerId {
 
     /// Its search space.
     pub fn family(self) -> Family {
-        self.0.family
+        (self.0.settings)().family()
     }
 
     /// True if a risk field leads it.
@@ -263,10 +247,10 @@ pub fn planners() -> Vec<Info> {
 }
 
 fn info(planner: PlannerId) -> Info {
-    let PlannerId(&Row { id, family, title: [en, zh], paper, takes_costs, .. }) = planner;
+    let PlannerId(&Row { id, title: [en, zh], paper, takes_costs, .. }) = planner;
     Info {
         id,
-        family,
+        family: planner.family(),
         title: Text { en, zh },
         paper,
         has_risk_field: planner.has_risk_field(),

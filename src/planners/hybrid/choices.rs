@@ -19,8 +19,9 @@
 
 use core::ops::ControlFlow;
 
-use super::config::{Config, Level, Profile, SearchFrom};
+use super::config::{Config, Level, SearchFrom};
 use super::portfolio::{COMFORTABLE_MARGIN, Floods};
+use super::profile::Profile;
 use super::question::{MIN_MARGIN, Query, Scratch, Search, Work};
 use super::report::{Report, Status};
 use super::widest::{self, GAP_PARTS, MARGIN_SHARES};

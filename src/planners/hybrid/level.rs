@@ -20,8 +20,9 @@
 use core::cell::RefCell;
 
 use super::analytic_expansion::Recorder;
-use super::config::{FEW_CHANGES, Level};
+use super::config::Level;
 use super::domain::{Setting, StateLattice};
+use super::profile::FEW_CHANGES;
 use super::question::{Search, Work};
 #[cfg(feature = "complete")]
 use super::recording::PoseRecording;

@@ -38,6 +38,7 @@ mod level;
 mod obstacle_heuristic;
 mod obstruction;
 mod portfolio;
+mod profile;
 mod question;
 #[cfg(feature = "complete")]
 mod recording;
@@ -54,9 +55,10 @@ pub use analytic_expansion::FailedExpansions;
 pub use anchor::{Last, stay};
 #[cfg(feature = "complete")]
 pub use choices::{Prefer, choices};
-pub use config::{Config, Heuristic, Profile, SearchFrom};
+pub use config::{Config, Heuristic, SearchFrom};
 #[cfg(feature = "complete")]
 pub use goals::{goal_of, plan_any, with_room};
+pub use profile::Profile;
 pub use question::{Query, Scratch, obstacles};
 #[cfg(feature = "complete")]
 pub use recording::PoseRecording;

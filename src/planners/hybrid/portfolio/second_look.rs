@@ -11,7 +11,8 @@
 use super::Floods;
 use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, MANY_CHANGES};
 use crate::geometry::arcs;
-use crate::planners::hybrid::config::{FEW_CHANGES, FIRST_SHUFFLING_LEVEL, Level, MANY_CHANGES_COST};
+use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, Level};
+use crate::planners::hybrid::profile::{FEW_CHANGES, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
 
