@@ -9,7 +9,7 @@ export type Outcome =
 /** A finer word for the outcome. */
 export type Detail =
   | "unreachable" | "too-narrow" | "no-room" | "boxed-in" | "stranded" | "suboptimal" | "verification-failed"
-  | "smoothing-fell-back" | "less-margin" | "joined";
+  | "smoothing-fell-back" | "less-margin";
 
 export interface Pose { x: number; y: number; heading: number }
 
@@ -1409,7 +1409,7 @@ export interface AuditWay {
   driveTime: number | null;
   /** Least distance from the body to anything along the way. */
   clearance: number;
-  /** The plan's hash: for ways in that of `hybrid` between the same poses, for ways out that of `hybrid-forward`, unless `detail` is `joined`. */
+  /** The plan's hash: for ways in that of `hybrid` between the same poses, for ways out that of `hybrid-forward`. */
   hash: string;
   /** x, y, heading, … half a metre apart along the way, and its last pose. */
   swept: Float64Array;

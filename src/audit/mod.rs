@@ -1,9 +1,8 @@
 //! Which bays of a lot can be reached, by which vehicle, and in how many moves.
 //!
 //! An audit asks one question for each bay, vehicle, entrance and entry: can the vehicle drive in, and out again? Each
-//! answer is that of hybrid A* between two poses or, where that finds none or one with many moves, joined from the way in
-//! the other direction. It depends on its question alone, so parts of the job give exactly the rows of the whole, in any
-//! order and on any number of workers. What the questions have in common is prepared once:
+//! answer is that of hybrid A* between two poses and depends on nothing else, so parts of the job give exactly the
+//! rows of the whole, in any order and on any number of workers. What the questions have in common is prepared once:
 //! the obstacles, and the way around them to each entrance.
 //!
 //! The number of questions is bays × vehicles × entrances × entries, with one search each and one more for the way out.
@@ -18,7 +17,6 @@ mod affected;
 mod options;
 mod row;
 pub mod standards;
-mod ways;
 
 use std::ops::ControlFlow;
 
@@ -30,10 +28,9 @@ pub use row::{Row, Way};
 
 use crate::error::Error;
 use crate::geometry::Pose;
-use crate::plan::Planner;
+use crate::plan::{self, Ends, Planner};
 use crate::scenario::{Entry, Scenario, Slot};
 use crate::vehicle::Vehicle;
-use ways::{Question, Ways};
 
 /// The planner of ways in, from the bay: to leave a bay is easier than to find it.
 const IN: &str = "hybrid";
@@ -105,7 +102,8 @@ pub fn bay_name(slot: &Slot, index: usize) -> String {
 /// Its planners hold the obstacles of the scene and, from question to question, the rasters that do not depend on start
 /// and goal.
 struct Asker {
-    ways: Ways,
+    way_in: Planner,
+    way_out: Planner,
     /// How far a vehicle's rear axle is ahead of that of the scene's car when their tails stand in one place, metres.
     ahead: f64,
 }
@@ -133,7 +131,7 @@ impl Asker {
         let way_in = Planner::new(IN, &scene, &settings)?;
         settings.remove("searchFrom");
         let way_out = Planner::new(OUT, &scene, &settings)?;
-        Ok(Self { ways: Ways { way_in, way_out }, ahead: vehicle.vehicle.rear_to_back - own.rear_to_back })
+        Ok(Self { way_in, way_out, ahead: vehicle.vehicle.rear_to_back - own.rear_to_back })
     }
 
     /// The answer to one question. The start is the entrance's pose moved by `ahead`, the goal the bay's pose for this
@@ -144,12 +142,13 @@ impl Asker {
         (vehicle, entrance, entry): (&AuditVehicle, &Entrance, Entry),
         out: bool,
     ) -> Row {
-        let slot = self.ways.way_in.scenario().slots[bay].clone();
+        let slot = self.way_in.scenario().slots[bay].clone();
         let start = along(entrance.pose, self.ahead);
         let goal = slot.pose(entry, &vehicle.vehicle);
+        let way = ask(&mut self.way_in, start, goal);
         let exit =
             entrance.exit.map_or_else(|| turned(start, &vehicle.vehicle), |exit| along(exit, self.ahead));
-        let (way, out) = self.ways.ask(Question { start, bay: goal, exit }, out);
+        let out = out.then(|| ask(&mut self.way_out, goal, exit));
         let excess = |body: f64, room: f64| ((body - room) / 2.0).max(0.0);
         let overhang =
             excess(vehicle.vehicle.length(), slot.length).max(excess(vehicle.vehicle.width, slot.width));
@@ -163,6 +162,16 @@ impl Asker {
             way,
             out,
         }
+    }
+}
+
+/// The plan between two poses, which start and goal of the scene do not influence. A question that the planner refuses
+/// is a way out of reach with the error as its reason; it does not end the audit.
+fn ask(planner: &mut Planner, start: Pose, goal: Pose) -> Way {
+    let ends = Ends { start: Some(start), goal: Some(goal) };
+    match planner.plan_between(ends, plan::Options::default()) {
+        Ok(plan) => Way::of(planner, &plan),
+        Err(error) => Way::refused(error.to_string()),
     }
 }
 

@@ -6,8 +6,6 @@
 
 #[cfg(feature = "complete")]
 use super::Engine;
-#[cfg(feature = "complete")]
-use super::measured::{Driven, NEAR, measured};
 use super::{Options, Outcome, Plan, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
@@ -75,16 +73,6 @@ impl Planner {
             return Err(Error::new(ErrorCode::Input, choice, message));
         }
         Ok(self.between(start.unwrap_or(self.own_ends[0]), goal, options))
-    }
-
-    /// The plan of a path that is known, between two poses: checked and measured as this planner's own. `path` has poses,
-    /// and of each its gear and the curvature of the way on.
-    #[cfg(feature = "complete")]
-    pub(crate) fn plan_along(&mut self, ends: [Pose; 2], path: (Vec<Pose>, Vec<i8>, Vec<f64>)) -> Plan {
-        [self.world.geometry.start, self.world.geometry.goal] = ends;
-        let (poses, directions, curvatures) = path;
-        let driven = Driven { poses, directions, curvatures };
-        Plan { planner: self.kind.id(), ..measured(&self.world, Outcome::Found, driven, NEAR) }
     }
 
     /// Takes over the last path of a hybrid planner of the scene as it was before an edit, for [`Options::stickiness`].
