@@ -1,8 +1,8 @@
-//! How wide the widest way is at its narrowest: words for a scene in which the body fits nowhere through.
+//! The gap to name when the body fits through nowhere: the narrowest place of the widest way.
 //!
-//! A widest-path search over the cells of a distance field: like Dijkstra's, but a way counts by its least clearance
-//! instead of by the sum of its steps, and the largest is taken first. The cell with the least clearance on the widest
-//! way is the gap to name, because every other way has a narrower one.
+//! It is found by a widest-path search over the cells of a distance field. The search is like Dijkstra's, but the value
+//! of a way is its least clearance instead of the sum of its steps, and the largest value is taken first. The cell with
+//! the least clearance on the widest way is the gap: every other way has a narrower one.
 //!
 //! Let c(n) be the clearance of cell n. The width of a way is twice the least c along it, and the search maximises
 //! it:

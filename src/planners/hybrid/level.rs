@@ -12,10 +12,10 @@
 //! step 4 finds that, and the level is searched again with half the spacing, twice at most. A path that is returned
 //! has always passed step 4.
 //!
-//! The first level also has a rule of patience. A thousand expansions answer most questions. Where they do not, 250
-//! from the other end show whether that one is the hard end, and the rest of the budget is spent with the estimate
-//! times 1.3: weighted A\*, whose path may cost that much more, and which no longer explores every detour of equal
-//! promise.
+//! The first level spends its budget in three parts. A thousand expansions answer most questions. Where they do not,
+//! 250 expansions from the other end show whether that end is the hard one to leave. The rest is spent with the
+//! estimate times 1.3: weighted A\*, which no longer explores every detour of equal promise. Its path may cost 1.3
+//! times as much as the cheapest.
 
 use core::cell::RefCell;
 

@@ -1,8 +1,8 @@
-//! Names for states: a dense number for every lattice key that the search meets.
+//! A dense number for every lattice key that the search meets.
 //!
-//! The lattice of a large lot has some 10¹⁰ states, of which a search meets thousands. Numbering those in the order in
-//! which they are met lets the search keep its nodes in a plain table. A look-up is O(1) on average; the table grows at
-//! half its room, and clearing it between searches is O(1), by a stamp.
+//! The lattice of a large lot has some 10¹⁰ states, of which a search meets thousands. They are numbered in the order
+//! in which they are met, so that the search can keep its nodes in an array. A look-up is O(1) on average. The table
+//! doubles when it is half full. Clearing it between searches is O(1): entries of earlier searches have an old stamp.
 //!
 //! The hash is multiplication by 2⁶⁴/φ, of which the upper half is used, with linear probing. Keys of neighbouring
 //! cells differ in few bits and land far apart.

@@ -1,9 +1,11 @@
 //! The widest path to one of several goals: which margins are tried, and which goals have the most room.
 //!
-//! The width of a path is the least clearance of the body along it, in metres on either side, and a plan with margin
-//! m exists or not: a monotone question, so a list of margins and halving find the largest m with few searches. With
-//! several goals each has a limit of its own, the room at the goal, and no path to it is wider. Goals with less room
-//! than the best path so far are therefore not searched for.
+//! The width of a path is the least clearance of the body along it, metres. A path with margin m is also one with any
+//! smaller margin, so the largest m is found with few searches: by a list of margins, and by halving the gap between
+//! the smallest that fails and the largest that succeeds.
+//!
+//! With several goals, no path is wider than the room at the goal where it ends. Goals with less room than the best
+//! path so far has are therefore not searched.
 
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;

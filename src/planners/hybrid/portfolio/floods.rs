@@ -1,8 +1,8 @@
-//! The estimates' rasters of the portfolio's members, shared by all that have the same margin and end.
+//! The rasters of the obstacle heuristic, shared by all members of the portfolio with the same margin and end.
 //!
-//! A flood goes through every cell of the raster, and a portfolio of ten members would make ten or twenty. They
-//! depend on two things only, the margin and the end from which they spread. So there is one cell per pair, filled at
-//! first use; a plan that succeeds on the first level usually makes one flood.
+//! Making such a raster, a flood, goes through every cell of the map; ten members would make ten or twenty. A flood
+//! depends on two things only: the margin, and the end from which it spreads. So each pair has one, made when it is
+//! first asked for. A plan that succeeds on the first level usually makes a single flood.
 //!
 //! `ends[0]` is the target of the tree that is asked for; a swapped search uses `ends[1]`.
 
