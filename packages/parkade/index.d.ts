@@ -862,7 +862,7 @@ export function paperGridSummary(measured: Record<string, Float64Array>): { tabl
 /** A scene of the road manuscript; printed values of plain and improved A*. */
 export interface RoadRow {
   id: string;
-  /** The scene; with `ship` ten times as large, for the manuscript's ship. */
+  /** The scene; with `ship` ten times as large, for the manuscript's ship, and in no menu. */
   scene: string;
   ship: boolean;
   /** Metres, seconds, MB; collisions of 1000. */

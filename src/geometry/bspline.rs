@@ -163,6 +163,23 @@ impl Spline {
         }
     }
 
+    /// Where each control point has the most to say.
+    pub fn places(&self) -> Vec<Place> {
+        let n = self.controls.len();
+        let mean = |i: usize| (1..4).map(|k| self.knots.at(n, i + k)).sum::<f64>() / 3.0;
+        (0..n).map(|i| self.at(mean(i).clamp(0.0, 1.0))).collect()
+    }
+
+    /// The same with its control points moved. It begins and ends as it did, in place and direction.
+    pub fn moved(&self, by: impl Fn(usize) -> Vector) -> Self {
+        let mut moved = self.clone();
+        let last = moved.controls.len() - 2;
+        for (i, control) in moved.controls.iter_mut().enumerate().take(last).skip(2) {
+            *control += by(i);
+        }
+        moved
+    }
+
     /// The places of rows.
     pub fn points<'a>(&'a self, rows: &'a Rows) -> impl Iterator<Item = Point> + 'a {
         rows.values.iter().map(|(first, values)| {
@@ -358,5 +375,25 @@ mod tests {
         weights[50] = 1e4;
         let heavy = Spline::fit(&points, &Rows::new(&at, 30), &weights, 1.0, [None; 2]);
         assert!((heavy.at(0.5).point - points[50]).norm() < 0.05);
+    }
+
+    /// Moved control points move their places, and neither the ends nor their directions.
+    #[test]
+    fn moved_control_points_keep_the_ends() {
+        let data: Vec<Point> =
+            (0..=40).map(|i| Point::new(f64::from(i), (f64::from(i) / 7.0).sin())).collect();
+        let at: Vec<f64> = (0..=40).map(|i| f64::from(i) / 40.0).collect();
+        let spline = Spline::fit(&data, &Rows::new(&at, 12), &[1.0; 41], 0.05, [None; 2]);
+        let moved = spline.moved(|_| Vector::new(0.0, 0.5));
+        for end in [0.0, 1.0] {
+            let [old, new] = [&spline, &moved].map(|spline| spline.at(end));
+            assert!((old.point - new.point).norm() < 1e-12);
+            assert!(old.first.normalize().perp(&new.first.normalize()).abs() < 1e-12);
+        }
+        let shift = moved.at(0.5).point - spline.at(0.5).point;
+        assert!((shift - Vector::new(0.0, 0.5)).norm() < 1e-12, "{shift:?}");
+        let places = spline.places();
+        assert_eq!(places.len(), 12);
+        assert!(places.windows(2).all(|pair| pair[1].point.x > pair[0].point.x));
     }
 }

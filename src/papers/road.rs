@@ -24,7 +24,7 @@ const MOST_CURVATURE: f64 = 1.0 / 5.5;
 pub struct Row {
     /// `S1`, …, and `S1-ship`, ….
     pub id: &'static str,
-    /// The scene of the catalog.
+    /// The scene.
     pub scene: &'static str,
     /// True if it is ten times as large, for the ship.
     pub ship: bool,
@@ -89,10 +89,10 @@ pub const ROWS: [Row; 8] = [
     Row { id: "S2", scene: "road-curve", ship: false, printed: S2 },
     Row { id: "S3", scene: "road-crossing", ship: false, printed: S3 },
     Row { id: "S4", scene: "road-narrow", ship: false, printed: S4 },
-    Row { id: "S1-ship", scene: "road-straight", ship: true, printed: S1 },
-    Row { id: "S2-ship", scene: "road-curve", ship: true, printed: S2 },
-    Row { id: "S3-ship", scene: "road-crossing", ship: true, printed: S3 },
-    Row { id: "S4-ship", scene: "road-narrow", ship: true, printed: S4 },
+    Row { id: "S1-ship", scene: "road-straight-ship", ship: true, printed: S1 },
+    Row { id: "S2-ship", scene: "road-curve-ship", ship: true, printed: S2 },
+    Row { id: "S3-ship", scene: "road-crossing-ship", ship: true, printed: S3 },
+    Row { id: "S4-ship", scene: "road-narrow-ship", ship: true, printed: S4 },
 ];
 
 /// The row of this id.
@@ -107,12 +107,12 @@ pub fn row(id: &str) -> Result<&'static Row, Error> {
 }
 
 impl Row {
-    /// The scene, which for ships is in no catalog.
+    /// The scene.
     ///
     /// # Errors
     /// None for rows of [`ROWS`].
     pub fn scenario(&self) -> Result<Scenario, Error> {
-        if self.ship { catalog::ship_scenario(self.scene) } else { catalog::scenario(self.scene) }
+        catalog::scenario(self.scene)
     }
 
     /// Names of what is compared and its settings of the planner `cost-map`; plain A* comes first.
@@ -120,11 +120,9 @@ impl Row {
         let lines = if self.ship {
             vec![
                 ("plain", json!({ "costs": "steps", "pruning": "none", "smoothing": "none" })),
-                ("paper", json!({ "costs": "paper", "margin": 9, "residual": 1 })),
-                (
-                    "paper-exponential",
-                    json!({ "costs": "paper", "base": "exponential", "margin": 9, "residual": 1 }),
-                ),
+                // The scene has the ship's costs and margin.
+                ("paper", json!({})),
+                ("paper-exponential", json!({ "base": "exponential" })),
                 ("literal", json!({ "costs": "paper", "pruning": "los", "smoothing": "paper" })),
             ]
         } else {

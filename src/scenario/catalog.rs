@@ -136,15 +136,17 @@ const SCENES: [Info; 23] = [
     info("L4", "paper", ["Paper row L4", "论文 L4"], PAPER_QUESTION),
 ];
 
-/// The built-in scene of this id.
+/// The built-in scene of this id. The road manuscript's scenes for its ship, ten times as large, are `road-straight-ship`,
+/// `road-curve-ship`, `road-crossing-ship` and `road-narrow-ship`; no menu lists them.
 ///
 /// # Errors
 /// [`ErrorCode::UnknownScenario`].
 ///
 /// # Examples
 /// ```
-/// let scene = parkade::scenario::catalog::scenario("P0").unwrap();
-/// assert_eq!(scene.start.x, 22.0);
+/// use parkade::scenario::catalog::scenario;
+///
+/// assert_eq!(scenario("P0").unwrap().start.x, 22.0);
 /// ```
 pub fn scenario(id: &str) -> Result<Scenario, Error> {
     let mut scene = build(id).ok_or_else(|| {
@@ -154,24 +156,6 @@ pub fn scenario(id: &str) -> Result<Scenario, Error> {
     })?;
     scene.name = Some(id.to_owned());
     Ok(scene)
-}
-
-/// A road scene ten times as large, with the road manuscript's ship; listed nowhere.
-///
-/// # Errors
-/// [`ErrorCode::UnknownScenario`] for other ids than those of road scenes.
-///
-/// # Examples
-/// ```
-/// use parkade::scenario::catalog::{scenario, ship_scenario};
-///
-/// let (car, ship) = (scenario("road-curve").unwrap(), ship_scenario("road-curve").unwrap());
-/// assert_eq!(ship.map.resolution, 10.0 * car.map.resolution);
-/// ```
-#[cfg(feature = "complete")]
-pub fn ship_scenario(id: &str) -> Result<Scenario, Error> {
-    super::road_scenes::ship(id)
-        .ok_or_else(|| Error::new(ErrorCode::UnknownScenario, "", message!("no road scene \"{}\"", id)))
 }
 
 /// A scene without its name, or `None` for an unknown id.

@@ -9,6 +9,8 @@
 //! `scene` moves the poses back to the rear axle. The map's boundary is the kerb, and a lattice of half a metre lies
 //! over it.
 
+use serde_json::json;
+
 use super::road::{Lane, LanePiece, SpeedLimit};
 use super::scene_info::{Info, info};
 use super::{Goal, MapFrame, Obstacle, Scenario, VehicleSpec};
@@ -75,7 +77,7 @@ const RESOLUTION: f64 = 0.5;
 /// The manuscript's ship has cells of 5 m.
 const SHIP_SCALE: f64 = 10.0;
 
-/// The scene of an id; `None` for ids of other groups.
+/// The scene of an id; `None` for ids of other groups. S1 to S4 with the ship have names, too, but are in no menu.
 pub(super) fn build(id: &str) -> Option<Scenario> {
     match id {
         "road-straight" => Some(straight()),
@@ -84,15 +86,18 @@ pub(super) fn build(id: &str) -> Option<Scenario> {
         "road-narrow" => Some(narrow()),
         "road-roundabout" => Some(roundabout()),
         "road-turn-ban" => Some(turn_ban()),
+        "road-straight-ship" => Some(ship(straight())),
+        "road-curve-ship" => Some(ship(curve())),
+        "road-crossing-ship" => Some(ship(crossing())),
+        "road-narrow-ship" => Some(ship(narrow())),
         _ => None,
     }
 }
 
-/// Ten times a scene, with the manuscript's ship on it.
+/// Ten times a scene, with the manuscript's ship on it, and its planner with the manuscript's costs.
 /// The ship's middle takes the place of the car's middle, so that the same lanes and clearances are compared at
 /// another scale.
-pub(super) fn ship(id: &str) -> Option<Scenario> {
-    let mut scene = build(id)?;
+fn ship(mut scene: Scenario) -> Scenario {
     let scale = |value: f64| value * SHIP_SCALE;
     let point = |p: [f64; 2]| p.map(scale);
     let (car, ship) = (Vehicle::SEDAN, Vehicle::SHIP);
@@ -100,7 +105,6 @@ pub(super) fn ship(id: &str) -> Option<Scenario> {
         let middle = pose.advance(0.0, car.middle());
         Pose::new(scale(middle.x), scale(middle.y), pose.heading).advance(0.0, -ship.middle())
     };
-    scene.name = Some(format!("{id}-ship"));
     scene.map.origin = point(scene.map.origin);
     scene.map.resolution = scale(scene.map.resolution);
     scene.map.boundary = scene.map.boundary.map(|outline| outline.into_iter().map(point).collect());
@@ -124,7 +128,11 @@ pub(super) fn ship(id: &str) -> Option<Scenario> {
     if let Goal::Pose(goal) = &mut scene.goal {
         *goal = pose(*goal);
     }
-    Some(scene)
+    // A margin and a residual to the ship's size, metres.
+    let settings = [("costs", json!("paper")), ("margin", json!(9)), ("residual", json!(1))];
+    let settings = settings.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    scene.planners = [("cost-map".to_owned(), settings)].into();
+    scene
 }
 
 /// A scene whose start and goal are places of the car's middle.

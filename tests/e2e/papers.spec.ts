@@ -172,6 +172,10 @@ test("the road manuscript's tables stand beside ours, with percentages and what 
   expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(
     /\| Turning points \| 22\.0 \| 9\.0 −59 % \| 21 \| 11 −48 %/,
   );
+  // The ship's rows have their scenes, too.
+  await expect(dialog(page).locator("parkade-paper-picture")).toHaveCount(16);
+  await dialog(page).locator("#S2-ship").getByRole("button", { name: "Open the scene" }).click();
+  await expect(page.locator("parkade-toolbar .scene")).toContainText("road-curve-ship");
   expect(complaints).toEqual([]);
 });
 

@@ -109,7 +109,7 @@ describe("the papers' pages", () => {
       "risk-field": ["fig8-30", "fig8-60", "fig8-100", "fig9-30", "fig9-60", "fig9-100"],
       sixteen: ["fig8-30", "fig8-60", "fig8-100", "fig9-30", "fig9-60", "fig9-100"],
       parking: ["P0", "P1", "P2", "P3", "P4", "L0", "L1", "L2", "L3", "L4"],
-      road: ["road-straight", "road-curve", "road-crossing", "road-narrow"],
+      road: ["straight", "curve", "crossing", "narrow"].flatMap((road) => [`road-${road}`, `road-${road}-ship`]),
     };
     for (const [id, found] of named) expect(found, id).toEqual(expect.arrayContaining([...rows[id]!]));
   });
@@ -119,7 +119,7 @@ describe("the papers' pages", () => {
     expect(riskField!.content.match(/<img alt="图 [567]：[^"]+" [^>]*src="data:image\/svg\+xml;base64,/g)!.length).toBe(
       3,
     );
-    expect(riskField!.content).toContain('layers="slots obstacles path redundant grid"');
+    expect(riskField!.content.match(/layers="slots obstacles path safety redundant grid"/g)!.length).toBe(7);
     expect(riskField!.content).not.toContain("<style");
     expect(parking!.content).toContain(
       '<a href="../../../embed.html#scene=L2&amp;controls=full&amp;lang=zh" target="_self"><code>L2</code></a>',
@@ -157,7 +157,10 @@ describe("the papers' pages", () => {
         "fig9-30",
         "fig9-60",
         "fig9-100",
+        "fig2-kinematics",
+        "fig3-corners",
         "fig4-volumes",
+        "fig6-separating",
         "fig7-steering",
         "fig8",
         "fig9",
@@ -189,6 +192,10 @@ describe("the papers' pages", () => {
     expect(drawn("fig4").match(/fill="#BFE3D6"/g)!.length).toBe(9);
     expect(drawn("fig4").match(/fill="#F2C37B"/g)!.length).toBe(4);
     expect(drawn("potential").match(/<polyline/g)!.length).toBeGreaterThan(15);
+    for (const corner of "ABCD") expect(drawn("fig3-corners")).toContain(`>${corner}</tspan>`);
+    // Green and red dots: a line apart from the body's projection, one within it.
+    for (const ink of ["#009E73", "#D55E00"])
+      expect(drawn("fig6-separating").match(new RegExp(`r="6" fill="${ink}"`, "g"))!.length).toBe(1);
     for (const mark of "ABCDSWE") expect(drawn("fig16")).toContain(`>${mark}</text>`);
     for (const { id } of figures.filter(({ scene }) => !scene.startsWith("road")))
       expect(drawn(id), id).toMatch(/^<svg [^]*<\/svg>\s*$/);

@@ -199,8 +199,8 @@ fn plans_have_the_same_hash_everywhere() {
     let expected = [
         "1c34c8ab60f45e1b-d41f7b29d47acfb6",
         "5e17707fd7730169-d6ed8ec7361ec23a",
-        "9a9a1ff45ab814bb-0baf3518b4267852",
-        "7077663175a3e19a-9ed158196a6bacc1",
+        "874925fecabc69cc-701deb12f7643340",
+        "672a16bc067dffbc-b782169a15c4c139",
     ];
     assert_eq!(hashes, expected);
 }

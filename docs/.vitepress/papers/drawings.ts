@@ -126,3 +126,177 @@ export function flowPicture(steps: readonly string[], { first, last }: { first: 
   const back = `<path d="M${edge} ${top(last) + tall / 2}H18V${top(first) + tall / 2}H${edge - 3}m-5 -4l5 4l-5 4" fill="none" stroke="#3F444B"/>`;
   return `${opened(width, top(steps.length))}${steps.map(box).join("")}${back}</svg>`;
 }
+
+/** A car at a heading: lines and points of its own frame, metres ahead of the rear axle and to the left, as pixels. */
+function carView(heading: number, origin: readonly [number, number], scale: number) {
+  const [sin, cos] = [Math.sin(heading), Math.cos(heading)];
+  const at = ([ahead, left]: readonly [number, number]): string =>
+    `${(origin[0] + scale * (ahead * cos - left * sin)).toFixed(1)} ${(origin[1] - scale * (ahead * sin + left * cos)).toFixed(1)}`;
+  const line = (points: readonly (readonly [number, number])[], style: string): string =>
+    `<path d="M${points.map(at).join("L")}" fill="none" ${style}/>`;
+  const text = (words: string, place: readonly [number, number]): string => {
+    const [x, y] = at(place).split(" ");
+    return `<text x="${x}" y="${y}" text-anchor="middle">${words}</text>`;
+  };
+  return { at, line, text };
+}
+const INK = `stroke="#1B1D20" stroke-width="2"`,
+  THIN = `stroke="#64696F" stroke-dasharray="4 3"`,
+  BLUE = `stroke="#0072B2" stroke-width="2"`;
+/** The paper's car: wheelbase, overhangs and width, metres. */
+const CAR = { wheelbase: 3.7, front: 0.8, rear: 1, width: 2.6 } as const;
+const body = (from = -CAR.rear, to = CAR.wheelbase + CAR.front, half = CAR.width / 2): [number, number][] => [
+  [to, half],
+  [to, -half],
+  [from, -half],
+  [from, half],
+  [to, half],
+];
+const sub = (name: string, index: string): string => `${name}<tspan dy="4" font-size="10">${index}</tspan>`;
+
+/** Figure 2: the two wheels that stand for four, and the circle on which they turn. */
+export function kinematicsPicture(): string {
+  const { wheelbase } = CAR,
+    heading = 0.45,
+    steer = 0.5,
+    radius = wheelbase / Math.tan(steer);
+  const { at, line, text } = carView(heading, [80, 150], 40);
+  const wheel = (ahead: number, turn: number): string => {
+    const [x, y] = [0.45 * Math.cos(turn), 0.45 * Math.sin(turn)];
+    return line(
+      [
+        [ahead - x, -y],
+        [ahead + x, y],
+      ],
+      `stroke="#1B1D20" stroke-width="9" stroke-linecap="round"`,
+    );
+  };
+  const pole: [number, number] = [0, -radius];
+  const parts = [
+    line(
+      [
+        [-1.4, 0],
+        [wheelbase + 2.2, 0],
+      ],
+      THIN,
+    ),
+    line(
+      [
+        [0, 0],
+        [wheelbase, 0],
+      ],
+      INK,
+    ),
+    line([[0, 0], pole, [wheelbase, 0]], THIN),
+    line(
+      [
+        [wheelbase, 0],
+        [wheelbase + 1.9 * Math.cos(-steer), 1.9 * Math.sin(-steer)],
+      ],
+      BLUE,
+    ),
+    line(
+      [
+        [0, 0],
+        [1.6, 0],
+      ],
+      BLUE,
+    ),
+    wheel(0, 0),
+    wheel(wheelbase, -steer),
+    ...[pole, [0, 0] as const, [wheelbase, 0] as const].map((p) => {
+      const [x, y] = at(p).split(" ");
+      return `<circle cx="${x}" cy="${y}" r="4" fill="#D55E00"/>`;
+    }),
+    text(`(${sub("x", "r")}<tspan dy="-4">, </tspan>${sub("y", "r")}<tspan dy="-4">)</tspan>`, [-0.35, 0.55]),
+    text(`(${sub("x", "f")}<tspan dy="-4">, </tspan>${sub("y", "f")}<tspan dy="-4">)</tspan>`, [wheelbase - 0.3, 0.75]),
+    text("L", [wheelbase / 2, 0.3]),
+    text(sub("δ", "f"), [wheelbase + 1.5, -0.32]),
+    text(sub("v", "f"), [wheelbase + 1.75, -1.35]),
+    text(sub("v", "r"), [1.55, -0.5]),
+    text("R", [0.35, -radius / 2]),
+    text("φ", [-0.4, -0.33]),
+  ];
+  const [x, y] = at([-1.4, 0]).split(" ");
+  return `${opened(360, 460)}<path d="M${x} ${y}h60" fill="none" ${THIN}/>${parts.join("")}</svg>`;
+}
+
+/** Figure 3: the corners of the body by the rear axle. */
+export function cornersPicture(): string {
+  const { wheelbase, front, rear, width } = CAR,
+    half = width / 2;
+  const { at, line, text } = carView(0.4, [90, 190], 44);
+  const corners: [string, number, number][] = [
+    ["A", wheelbase + front, half],
+    ["B", wheelbase + front, -half],
+    ["C", -rear, -half],
+    ["D", -rear, half],
+  ];
+  const dots = [["", 0, 0] as const, ["", wheelbase, 0] as const, ...corners].map(([, ahead, left]) => {
+    const [x, y] = at([ahead, left]).split(" ");
+    return `<circle cx="${x}" cy="${y}" r="4" fill="#D55E00"/>`;
+  });
+  const [x, y] = at([0, 0]).split(" ");
+  const parts = [
+    `<path d="M${x} ${y}h110" fill="none" ${THIN}/>`,
+    line(body(), INK),
+    line(
+      [
+        [-rear, 0],
+        [wheelbase + front + 0.8, 0],
+      ],
+      THIN,
+    ),
+    line(
+      [
+        [0, -half],
+        [0, half],
+      ],
+      THIN,
+    ),
+    line(
+      [
+        [wheelbase, -half],
+        [wheelbase, half],
+      ],
+      THIN,
+    ),
+    ...dots,
+    ...corners.map(([name, ahead, left]) =>
+      text(`<tspan font-weight="600">${name}</tspan>`, [ahead + Math.sign(ahead) * 0.3, left + Math.sign(left) * 0.3]),
+    ),
+    text("L", [wheelbase / 2, 0.2]),
+    text(sub("L", "f"), [wheelbase + front / 2, -0.4]),
+    text(sub("L", "r"), [-rear / 2, 0.2]),
+    text("W/2", [wheelbase + front - 0.4, half / 2 + 0.05]),
+    text("θ", [1.75, -0.48]),
+  ];
+  return `${opened(360, 290)}${parts.join("")}</svg>`;
+}
+
+/** Figure 6: a body and a line of an obstacle, projected onto the line's normal: apart on the left, met on the right. */
+export function separatingPicture(): string {
+  const panel = (left: number, heading: number, up: number, verdict: "apart" | "meets"): string => {
+    const { at } = carView(heading, [left + 70, 150 - up], 30);
+    const corners = body()
+      .slice(0, 4)
+      .map((p) => at(p).split(" ").map(Number) as [number, number]);
+    const wall = 205,
+      axis = left + 16,
+      ys = corners.map(([, y]) => y),
+      [top, bottom] = [Math.min(...ys), Math.max(...ys)];
+    const ink = verdict === "apart" ? "#009E73" : "#D55E00";
+    return [
+      `<path d="M${corners.map((p) => p.join(" ")).join("L")}Z" fill="#1B1D20" fill-opacity="0.1" ${INK}/>`,
+      `<path d="M${left + 40} ${wall}h220" stroke="#1B1D20" stroke-width="4"/>`,
+      `<path d="M${axis} 20V235" ${THIN}/>`,
+      ...[top, bottom].map((y) => {
+        const x = corners.find((p) => p[1] === y)![0];
+        return `<path d="M${axis} ${y}H${x}" ${THIN}/>`;
+      }),
+      `<path d="M${axis} ${top}V${bottom}" stroke="#0072B2" stroke-width="6"/>`,
+      `<circle cx="${axis}" cy="${wall}" r="6" fill="${ink}"/>`,
+    ].join("");
+  };
+  return `${opened(580, 250)}${panel(0, 0.35, 0, "apart")}${panel(290, 0.35, -36, "meets")}</svg>`;
+}

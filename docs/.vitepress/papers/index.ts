@@ -1,6 +1,6 @@
 /** The papers' pages: their tables beside ours, computed anew while the site is built, with figures that can be played with. */
 import { init, scenarios } from "../../../pkg/node.js";
-import { escaped, heading, isClaims, markdown, type Block, type Figure, type Lang } from "./blocks";
+import { escaped, firstFigures, heading, isClaims, markdown, type Block, type Figure, type Lang } from "./blocks";
 import { comparison, comparisonBlocks } from "./comparison";
 import { picture } from "./figures";
 import { measure, type Measured } from "./measure";
@@ -43,7 +43,12 @@ export async function compared(lang: Lang): Promise<Block[]> {
 /** Layers of the playground that show what a figure draws. */
 const LAYERS: Readonly<Partial<Record<NonNullable<Figure["draws"]>, string>>> = {
   potential: "slots obstacles path tree grid",
-  spaces: "slots obstacles path redundant grid",
+  spaces: "slots obstacles path safety redundant grid",
+};
+/** What the playground's own colours mean where they are not the picture's. */
+const LIVE: Readonly<Record<Lang, string>> = {
+  en: "In the live picture necessary space is hatched and redundant space grey.",
+  zh: "实时图中必要安全空间为斜线，冗余安全空间为灰色。",
 };
 /** Figures whose points and letters no layer has: their pictures, as images, since a template may hold no style. */
 const STILL: readonly Figure["draws"][] = ["pruned", "tangents", "smoothed"];
@@ -65,7 +70,7 @@ const playground =
     if (svg !== undefined) return `<figure class="drawn">${svg}<figcaption>${escaped(caption)}</figcaption></figure>`;
     if (STILL.includes(draws)) return still(figure);
     const layers = draws && LAYERS[draws] ? ` layers="${LAYERS[draws]}"` : "";
-    return `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${layers} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*`;
+    return `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${layers} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*${draws === "spaces" ? `\n\n${LIVE[lang]}` : ""}`;
   };
 
 /** For the site. */
@@ -74,7 +79,8 @@ export async function papers(
   seeds = SEEDS,
 ): Promise<{ params: { id: string; title: string }; content: string }[]> {
   const all = await pages(lang, seeds),
-    known = new Set(scenarios().map(({ id }) => id));
+    drawn = all.flatMap(({ blocks }) => [...firstFigures(blocks).keys()]),
+    known = new Set([...scenarios().map(({ id }) => id), ...drawn]);
   return all.map(({ id, title, blocks }) => ({
     params: { id, title },
     content: markdown(blocks, playground(lang), linked(lang, known)).replaceAll("{{", "{ {"),

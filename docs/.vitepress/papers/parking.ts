@@ -2,7 +2,14 @@
 import type { ParkingFigures } from "parkade";
 import { figure, heading, list, table, text, type Block, type Lang } from "./blocks";
 import parkingWords from "../../../www/src/i18n/messages/papers-parking.json";
-import { flowPicture, steeringPicture, volumesPicture } from "./drawings";
+import {
+  cornersPicture,
+  flowPicture,
+  kinematicsPicture,
+  separatingPicture,
+  steeringPicture,
+  volumesPicture,
+} from "./drawings";
 import { claims, fixed, words, type Measured } from "./measure";
 import type { Page } from "./index";
 
@@ -168,6 +175,28 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
       ),
       heading(2, t("Figures", "插图")),
       figure({
+        id: "fig2-kinematics",
+        scene: "",
+        planners: [],
+        svg: kinematicsPicture(),
+        caption: t("Figure 2: the car's kinematics", "图 2：车辆运动学模型"),
+        printed: t(
+          "Printed: the bicycle model with the middles of both axles, the heading φ, the wheelbase L and the steering angle δf, to the right and so negative. Here the same, with the turning circle of radius R = L / tan δf to which both wheels are tangents.",
+          "论文：自行车模型，标出前后轴中心、航向角 φ、轴距 L 与等效前轮转角 δf（向右为负）。此处相同，另绘出半径 R = L / tan δf 的转弯圆，两轮均与其相切。",
+        ),
+      }),
+      figure({
+        id: "fig3-corners",
+        scene: "",
+        planners: [],
+        svg: cornersPicture(),
+        caption: t("Figure 3: the corners of the body", "图 3：车身定点图"),
+        printed: t(
+          "Printed: the body's corners A to D at the heading θ. Here the same with the lengths of equation 10, which offsets A from the front axle by mistake: L + Lf is the way from the rear axle.",
+          "论文：航向角为 θ 时车身的四个顶点 A 至 D。此处相同，并标出式 10 的各长度；式 10 误以前轴为起点，L + Lf 实为自后轴起的距离。",
+        ),
+      }),
+      figure({
         id: "fig4-volumes",
         scene: "",
         planners: [],
@@ -201,6 +230,20 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
           ]),
         ),
       ),
+      figure({
+        id: "fig6-separating",
+        scene: "",
+        planners: [],
+        svg: separatingPicture(),
+        caption: t(
+          "Figure 6: a body and an obstacle's line on one axis: apart (left), they meet (right)",
+          "图 6：车身与障碍物线在一条轴上的投影：分离（左），相交（右）",
+        ),
+        printed: t(
+          "Printed: a simplified sketch of the car's rectangle and the lines around the slot, which are all obstacles but for its entrance. Here one line and its normal, on which the body's projection (blue) does or does not hold the line's (dot); the body's own two axes are tried in the same way.",
+          "论文：车辆矩形与车位四周边框线的简化示意，除入口外边框均为障碍物。此处为一条线及其法线：车身在法线上的投影（蓝）是否包含该线的投影（圆点）；车身自己的两条轴同样检验。",
+        ),
+      }),
       figure({
         id: "fig7-steering",
         scene: "",

@@ -43,7 +43,7 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
         const [plain, improved] = one.lines,
           printed = one.row.printed[key];
         return [
-          `\`${one.row.scene}\`${one.row.ship ? t(" × 10, ship", " × 10，船") : ""}`,
+          `\`${one.row.scene}\``,
           printed[0],
           printed[1],
           ...[plain!, improved!, one.lines.at(-1)!].map((line) => of(line, one)),
@@ -98,6 +98,17 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
           scene,
           planners: ["eight", "cost-map"],
           caption: t(`S${i + 1}: eight neighbours and the cost map`, `S${i + 1}：八邻域与代价地图`),
+        }),
+      ),
+      ...ships.map(({ row: { id, scene } }) =>
+        figure({
+          id: scene,
+          scene,
+          planners: ["eight", "cost-map"],
+          caption: t(
+            `${id.slice(0, 2)}, ten times as large, with the ship of appendix B: eight neighbours and the cost map`,
+            `${id.slice(0, 2)}，放大十倍，附录 B 的船：八邻域与代价地图`,
+          ),
         }),
       ),
       heading(2, t("Its tables, printed and ours", "论文的表与本地结果")),

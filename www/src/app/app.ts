@@ -221,7 +221,7 @@ export class App {
     void this.links.mark();
     this.preset = id;
     this.openScene(scene);
-    this.show(this.catalog.scenarios.find((one) => one.id === id)?.group === "road");
+    this.show(!!scene.lanes?.length);
   }
 
   /** Roads are shown by the planner made for them, from its car at the start; others as they were before. */

@@ -269,6 +269,6 @@ function joined(plot: Plot, places: Float64Array, values: ArrayLike<number>, tot
 }
 
 export function ticks(total: number): number[] {
-  const step = [1, 2, 5, 10, 20, 50, 100].find((one) => total / one <= 6) ?? 200;
+  const step = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000].find((one) => total / one <= 6) ?? 10_000;
   return Array.from({ length: Math.floor(total / step) + 1 }, (_, i) => i * step);
 }

@@ -56,7 +56,7 @@ export class PapersRoad extends PapersRowsTab<"road"> {
 
   private table(table: RoadTable): TemplateResult {
     const { lang } = this.state;
-    return html`<h3 id=${table.row.id}>${titleOf(lang, table)}${table.row.ship ? nothing : this.link(table.row.scene)}</h3>
+    return html`<h3 id=${table.row.id}>${titleOf(lang, table)}${this.link(table.row.scene)}</h3>
       <div class="wide"><table><thead>
         <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first" colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
         <tr><th>${say(lang, "figure")}</th><th class="first">${say(lang, "plain")}</th><th>${say(lang, "improved")}</th>
@@ -68,7 +68,7 @@ export class PapersRoad extends PapersRowsTab<"road"> {
           )}</tr></tbody></table></div>
       ${table.lines.some(({ id, verdict }) => id === "literal" && verdict === "collides") ? html`<p class="note">${say(lang, "literalNote")}</p>` : nothing}
       ${
-        this.running || table.row.ship
+        this.running
           ? nothing
           : this.pictures(
               (["eight", "cost-map"] as const).map((planner) => [table.row.scene, planner]),
