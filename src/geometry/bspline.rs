@@ -171,6 +171,7 @@ impl Spline {
     }
 
     /// The same with its control points moved. It begins and ends as it did, in place and direction.
+    #[must_use]
     pub fn moved(&self, by: impl Fn(usize) -> Vector) -> Self {
         let mut moved = self.clone();
         let last = moved.controls.len() - 2;
@@ -380,10 +381,8 @@ mod tests {
     /// Moved control points move their places, and neither the ends nor their directions.
     #[test]
     fn moved_control_points_keep_the_ends() {
-        let data: Vec<Point> =
-            (0..=40).map(|i| Point::new(f64::from(i), (f64::from(i) / 7.0).sin())).collect();
-        let at: Vec<f64> = (0..=40).map(|i| f64::from(i) / 40.0).collect();
-        let spline = Spline::fit(&data, &Rows::new(&at, 12), &[1.0; 41], 0.05, [None; 2]);
+        let (data, at, _) = wave(1.0);
+        let spline = Spline::fit(&data, &Rows::new(&at, 12), &vec![1.0; data.len()], 0.05, [None; 2]);
         let moved = spline.moved(|_| Vector::new(0.0, 0.5));
         for end in [0.0, 1.0] {
             let [old, new] = [&spline, &moved].map(|spline| spline.at(end));

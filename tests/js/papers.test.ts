@@ -119,7 +119,9 @@ describe("the papers' pages", () => {
     expect(riskField!.content.match(/<img alt="图 [567]：[^"]+" [^>]*src="data:image\/svg\+xml;base64,/g)!.length).toBe(
       3,
     );
-    expect(riskField!.content.match(/layers="slots obstacles path safety redundant grid"/g)!.length).toBe(7);
+    // Safety spaces in colours, and live: figure 1 and six of figures 8 and 9.
+    expect(riskField!.content.match(/<img alt="图 [189][：，][^"]+" /g)!.length).toBe(7);
+    expect(riskField!.content.match(/layers="slots obstacles path redundant grid"/g)!.length).toBe(7);
     expect(riskField!.content).not.toContain("<style");
     expect(parking!.content).toContain(
       '<a href="../../../embed.html#scene=L2&amp;controls=full&amp;lang=zh" target="_self"><code>L2</code></a>',

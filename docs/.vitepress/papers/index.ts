@@ -43,12 +43,12 @@ export async function compared(lang: Lang): Promise<Block[]> {
 /** Layers of the playground that show what a figure draws. */
 const LAYERS: Readonly<Partial<Record<NonNullable<Figure["draws"]>, string>>> = {
   potential: "slots obstacles path tree grid",
-  spaces: "slots obstacles path safety redundant grid",
+  spaces: "slots obstacles path redundant grid",
 };
-/** What the playground's own colours mean where they are not the picture's. */
+/** What a live picture beside the coloured one shows of its spaces. */
 const LIVE: Readonly<Record<Lang, string>> = {
-  en: "In the live picture necessary space is hatched and redundant space grey.",
-  zh: "实时图中必要安全空间为斜线，冗余安全空间为灰色。",
+  en: "Live, with the redundant space hatched:",
+  zh: "实时图，冗余安全空间为斜线：",
 };
 /** Figures whose points and letters no layer has: their pictures, as images, since a template may hold no style. */
 const STILL: readonly Figure["draws"][] = ["pruned", "tangents", "smoothed"];
@@ -70,7 +70,8 @@ const playground =
     if (svg !== undefined) return `<figure class="drawn">${svg}<figcaption>${escaped(caption)}</figcaption></figure>`;
     if (STILL.includes(draws)) return still(figure);
     const layers = draws && LAYERS[draws] ? ` layers="${LAYERS[draws]}"` : "";
-    return `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${layers} alt="${caption.replaceAll('"', "")}"></parkade-playground>\n\n*${caption}*${draws === "spaces" ? `\n\n${LIVE[lang]}` : ""}`;
+    const live = `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${layers} alt="${caption.replaceAll('"', "")}"></parkade-playground>`;
+    return draws === "spaces" ? `${still(figure)}\n\n${LIVE[lang]}\n\n${live}` : `${live}\n\n*${caption}*`;
   };
 
 /** For the site. */

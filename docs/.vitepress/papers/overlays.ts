@@ -97,14 +97,24 @@ export function tangents({ stages }: Staged, scale: number, at: At): string {
 /** The necessary and the redundant safety space, as the planner itself takes it. */
 export function spaces({ map: { origin, resolution } }: Scenario, planner: Planner, { scale }: View, at: At): string {
   const { width, data } = planner.layer("redundant"),
-    side = px(resolution * scale + 0.3);
+    side = resolution * scale + 0.3;
   const fills: Readonly<Record<number, string>> = { 2: "#F2C37B", 3: "#C9B3DE" };
-  return Array.from(data, (kind, i) => {
-    const fill = fills[kind];
-    if (!fill) return "";
-    const corner = at([origin[0] + (i % width) * resolution, origin[1] + (Math.floor(i / width) + 1) * resolution]);
-    return `<rect x="${px(corner[0])}" y="${px(corner[1])}" width="${side}" height="${side}" fill="${fill}"/>`;
-  }).join("");
+  const parts: string[] = [];
+  // Cells of one kind beside each other are one rectangle.
+  for (let from = 0, to = 1; from < data.length; from = to, to++) {
+    const fill = fills[data[from]!];
+    while (to % width > 0 && data[to] === data[from]) to++;
+    if (!fill) continue;
+    const corner = at([
+      origin[0] + (from % width) * resolution,
+      origin[1] + (Math.floor(from / width) + 1) * resolution,
+    ]);
+    const long = (to - from - 1) * resolution * scale + side;
+    parts.push(
+      `<rect x="${px(corner[0])}" y="${px(corner[1])}" width="${px(long)}" height="${px(side)}" fill="${fill}"/>`,
+    );
+  }
+  return parts.join("");
 }
 
 /** Four and eight neighbours cell by cell; the improved path with its kept points and arcs; both ends. */
