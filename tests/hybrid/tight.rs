@@ -11,7 +11,7 @@ use parkade::vehicle::Vehicle;
 
 use crate::lot::Lot;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::tight_scenes::{Scene, bay, corner, kerb};
+use crate::tight_scenes::{Scene, bay, cluttered, corner, kerb};
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
@@ -148,6 +148,19 @@ fn margin_is_given_up_where_that_saves_many_gear_changes() {
         let (fewer, kept) = changes(&Config::default());
         let (close, _) = changes(&Config { margin: 0.03, ..Config::default() });
         assert!(fewer <= 4 && fewer <= close && kept == 0.03, "{name}: {fewer} with {kept} m, {close}");
+    }
+}
+
+/// From the end that is hard to leave these take ten times as many expansions.
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[test]
+fn ways_that_show_from_the_other_end_are_found() {
+    let width = (Vehicle::SEDAN.width + 0.4, Vehicle::SEDAN.width + 2.8);
+    let scenes = [corner(&Vehicle::SEDAN, 81072, width, width), cluttered(&Vehicle::PAPER, 72019)];
+    for Scene { name, vehicle, obstacles, start, goal, .. } in &scenes {
+        let query = Query { obstacles, vehicle, start: *start, goal: *goal };
+        let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
+        assert!(matches!(report.status, Status::Found | Status::Suboptimal), "{name}: {:?}", report.status);
     }
 }
 

@@ -267,9 +267,14 @@ impl Level {
     /// The same where the car may rock. Gear changes cost little, or else everything would be tried before; and
     /// there are hardly any connections, as a way out of every slot is known and the way to the target is not.
     pub(super) fn rocking(self, config: &Config) -> Self {
+        let level = self.with_cheap_changes(config);
+        Self { connect_every: ROCKING_CONNECT_EVERY, rock: ROCK_BINS * self.yaw, ..level }
+    }
+
+    /// The same where gear changes cost little.
+    pub(super) fn with_cheap_changes(self, config: &Config) -> Self {
         let change = config.with_profile().direction_change_cost;
-        let extra_change = change.min(ROCKING_CHANGE_COST) - change;
-        Self { connect_every: ROCKING_CONNECT_EVERY, extra_change, rock: ROCK_BINS * self.yaw, ..self }
+        Self { extra_change: change.min(CHEAP_CHANGE_COST) - change, ..self }
     }
 
     /// One of the finer lattices, from 1 on.
@@ -298,9 +303,9 @@ pub(super) const REFINEMENTS: usize = 4;
 /// Weight of the estimate on them.
 #[cfg(feature = "complete")]
 const REFINED_WEIGHT: f64 = 1.3;
-/// Cost of a gear change while the car may rock, metres.
+/// Cost of a gear change where the car may rock or the tree grows from the other end, metres.
 #[cfg(feature = "complete")]
-const ROCKING_CHANGE_COST: f64 = 0.2;
+const CHEAP_CHANGE_COST: f64 = 0.2;
 /// Turn of a rock, in heading bins: it leaves the bin.
 #[cfg(feature = "complete")]
 const ROCK_BINS: f64 = 2.0;

@@ -46,7 +46,7 @@ const MORE_MARGIN_EXPANSIONS: u32 = 200_000;
 const WIDE_SEARCH_POSES: u32 = 1000;
 /// Expansions of all members together where those for open space are asked.
 #[cfg(feature = "complete")]
-const OPEN_TOTAL_EXPANSIONS: u32 = 300_000;
+const OPEN_TOTAL_EXPANSIONS: u32 = 360_000;
 
 /// How a turn ended.
 enum Turn {
@@ -311,9 +311,11 @@ impl Run<'_> {
 
     /// One slice of a member; the answer is in `work.report`.
     fn turn(&self, member: Member, slice: u32, work: &mut Work) -> Turn {
-        let flood = self.floods.get(member.margin, self.is_swapped);
-        let search =
-            if self.is_swapped { self.search.swapped(flood) } else { Search { flood, ..self.search } };
+        let is_swapped = self.is_swapped;
+        #[cfg(feature = "complete")]
+        let is_swapped = is_swapped != (member.from == From::Far);
+        let flood = self.floods.get(member.margin, is_swapped);
+        let search = if is_swapped { self.search.swapped(flood) } else { Search { flood, ..self.search } };
         (work.report.margin, work.report.level) = (self.floods.margin(member.margin), member.level);
         work.report.status = Status::NoPath;
         if flood.distance(search.root).is_infinite() {
