@@ -52,8 +52,9 @@ const FAR_REVERSE_PRICE: f64 = 5.0;
 const FAR_REVERSE_WEIGHT: f64 = 2.0;
 /// Expansions of that search for each metre that it may save.
 const FAR_REVERSE_EFFORT: f64 = 50.0;
-/// Expansions of a search for fewer gear changes, at most.
+/// Expansions of a search for fewer gear changes, at most: so many in all, and so many for each that the path took.
 const FEWER_CHANGES_EXPANSIONS: u32 = 10_000;
+const FEWER_CHANGES_EFFORT: u32 = 2;
 
 /// Margins that a path is tried with, too, where less is asked for, metres.
 const COMPARED_MARGINS: [f64; 2] = [0.05, 0.1];
@@ -151,10 +152,11 @@ impl Search<'_> {
         if price == 0.0 || arcs::direction_changes(&work.report.arcs) <= FEW_CHANGES {
             return;
         }
+        let most = FEWER_CHANGES_EXPANSIONS.min(FEWER_CHANGES_EFFORT * work.report.expanded);
         let level = Level {
             weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
             extra_change: price,
-            max_expansions: level.max_expansions.min(FEWER_CHANGES_EXPANSIONS),
+            max_expansions: level.max_expansions.min(most),
             ..level
         };
         let bound = self.costs().searching(&level).path(self.probe, self.start, &work.report.arcs);
