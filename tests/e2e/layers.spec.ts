@@ -4,7 +4,7 @@ import { complaintsOf, open, settled, type PlaygroundElement } from "./playgroun
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
-test("redundant space is drawn for the planner that closes it, with its counts", async ({ page }) => {
+test("closed space is drawn for the planner that closes it, with its counts", async ({ page }) => {
   const complaints = complaintsOf(page);
   await open(page);
   await page.waitForFunction(
@@ -39,7 +39,7 @@ test("redundant space is drawn for the planner that closes it, with its counts",
   await expect(legend).not.toContainText("too narrow");
   const without = await panel.locator("canvas").screenshot();
   await page.getByRole("button", { name: "Layers" }).click();
-  await page.getByLabel("Redundant space").check();
+  await page.getByLabel("Closed space").check();
   await page.keyboard.press("Escape");
   await settled(page);
   await expect(legend).toContainText(/\d+ too narrow, \d+ in pockets, \d+ restored/);

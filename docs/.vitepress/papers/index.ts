@@ -47,8 +47,8 @@ const LAYERS: Readonly<Partial<Record<NonNullable<Figure["draws"]>, string>>> = 
 };
 /** What a live picture beside the coloured one shows of its spaces. */
 const LIVE: Readonly<Record<Lang, string>> = {
-  en: "Live, with the redundant space hatched:",
-  zh: "实时图，冗余安全空间为斜线：",
+  en: "Live, the necessary space hatched densely and the redundant one widely:",
+  zh: "实时图，必要安全空间为密斜线，冗余安全空间为疏斜线：",
 };
 /** Figures whose points and letters no layer has: their pictures, as images, since a template may hold no style. */
 const STILL: readonly Figure["draws"][] = ["pruned", "tangents", "smoothed"];

@@ -35,6 +35,7 @@ const hasCosts = (planner: PlannerId): boolean => infoOf(planner)?.family === "r
 
 /** True if a grid planner's settings close free cells. */
 const closes = (settings: PlannerSettings[PlannerId] = {}): boolean =>
+  ("inflation" in settings && settings.inflation !== "none") ||
   ("minPassage" in settings && Number(settings.minPassage) > 1) ||
   ("trapMouth" in settings && Number(settings.trapMouth) > 1);
 

@@ -9,7 +9,7 @@ import { GHOST, inMetres, inPixels, pixels, toScreen, type Frame, type Shown } f
 import { hatchPattern } from "./hatch";
 import { RAMP_SIZE, RAMP_WORDS } from "./ramp";
 import { hullsAlong, type Convex } from "./swept";
-import { mix, plannerStyle, type Tokens } from "./tokens";
+import { fade, mix, plannerStyle, type Tokens } from "./tokens";
 
 type CellsObstacle = Extract<Obstacle, { type: "cells" }>;
 
@@ -140,6 +140,16 @@ export function drawKinds(frame: Frame, { data }: Layer, values: readonly number
   inPixels(frame);
   ctx.drawImage(stencil, 0, 0, view.width, view.height);
   return true;
+}
+
+/** In the raster `redundant`: where a disc as wide as the car would touch something, and free, but closed by the search. */
+const NECESSARY = 2,
+  REDUNDANT = 3;
+
+/** The space that a grid planner closes before it searches: the necessary one hatched densely, the redundant one widely. */
+export function drawClosed(frame: Frame, closed: Layer): void {
+  drawKinds(frame, closed, [NECESSARY], fade(frame.tokens.colour.t1, 0.38), 3.5);
+  drawKinds(frame, closed, [REDUNDANT], fade(frame.tokens.colour.t1, 0.24), 7);
 }
 
 const ranks = new WeakMap<Uint32Array, Int32Array>();

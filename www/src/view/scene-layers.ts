@@ -16,12 +16,8 @@ import { drawSweep } from "./layers/sweep";
 import type { TreeLayer } from "./layers/tree";
 import { vast } from "./lazy-large-maps";
 import { laterLayers } from "./lazy-layers";
-import { fade } from "./tokens";
 import { isLong } from "./camera";
 import { GHOST, leading, leads, type Frame, type Shown } from "./frame";
-
-/** In the raster `redundant`: free, but closed before the search. */
-const CLOSED = 3;
 
 export class SceneLayers {
   private readonly heat = new HeatLayer();
@@ -62,7 +58,7 @@ export class SceneLayers {
     if (cost) laterLayers()?.drawCost(frame, cost);
     if (layers.safety) this.safety.draw(frame, one);
     const redundant = layers.redundant && one.result?.layers.redundant;
-    if (redundant) vast()?.drawKinds(frame, redundant, [CLOSED], fade(frame.tokens.colour.t1, 0.24), 7);
+    if (redundant) vast()?.drawClosed(frame, redundant);
     if (layers.risk) this.risk.draw(frame, one);
     const { explained, hover, transient } = frame.state;
     if (layers.risk && explained && hover && !transient && hasField(one.planner))
