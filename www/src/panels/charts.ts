@@ -59,29 +59,45 @@ export class Charts extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { display: grid; grid-template-columns: 54px 1fr 96px; min-height: 0; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); font-size: 12px; line-height: 16px; padding: 8px 0 0; }
+    :host {
+      display: grid; grid-template-columns: 54px 1fr 96px; min-height: 0; background: var(--parkade-panel);
+      border-left: 1px solid var(--parkade-hair); font-size: 12px; line-height: 16px; padding: 8px 0 0;
+    }
     .plots { position: relative; min-width: 0; container-type: size; }
-    .all { position: absolute; inset: 0 0 26px; width: 100%; height: calc(100% - 26px); overflow: visible; cursor: crosshair; }
+    .all {
+      position: absolute; inset: 0 0 26px; width: 100%; height: calc(100% - 26px); overflow: visible; cursor: crosshair;
+    }
     path, line { fill: none; vector-effect: non-scaling-stroke; }
     .limit { stroke: var(--parkade-t3); stroke-dasharray: 4 3; }
     .zero { stroke: var(--parkade-hair2); }
     .line { stroke-width: 1.5; stroke-linejoin: round; }
     .band { fill: var(--parkade-t1); opacity: .05; }
     .cusp { stroke: var(--parkade-t1); }
-    .dot { position: absolute; top: 0; left: 0; width: 9px; height: 9px; margin: -4.5px 0 0 -4.5px; border: 2px solid; border-radius: 50%; background: var(--parkade-panel); pointer-events: none; }
-    .diamond { position: absolute; top: -5px; left: 0; width: 10px; height: 10px; margin-left: -5px; overflow: visible; } .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
+    .dot {
+      position: absolute; top: 0; left: 0; width: 9px; height: 9px; margin: -4.5px 0 0 -4.5px; border: 2px solid;
+      border-radius: 50%; background: var(--parkade-panel); pointer-events: none;
+    }
+    .diamond {
+      position: absolute; top: -5px; left: 0; width: 10px; height: 10px; margin-left: -5px; overflow: visible;
+    }
+    .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
     .cursor { stroke: var(--parkade-t1); stroke-dasharray: 2 3; }
     .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
-    .axis { container-type: inline-size; position: absolute; left: 0; right: 0; bottom: 2px; height: 22px; color: var(--parkade-t2); }
+    .axis {
+      container-type: inline-size; position: absolute; left: 0; right: 0; bottom: 2px; height: 22px;
+      color: var(--parkade-t2);
+    }
     .axis span { position: absolute; transform: translateX(calc(var(--at) - 50%)); }
     .axis span:last-child::after { content: var(--unit); position: absolute; left: calc(100% + 3px); }
     .axis span:first-child { transform: none; }
     .left, .right { position: relative; }
     .left span { position: absolute; right: 6px; transform: translateY(-50%); color: var(--parkade-t2); }
-    .close span:nth-child(odd) { transform: translateY(-12%); } .close span:nth-child(even) { transform: translateY(-88%); }
+    .close span:nth-child(odd) { transform: translateY(-12%); }
+    .close span:nth-child(even) { transform: translateY(-88%); }
     .right div { position: absolute; left: 12px; transform: translateY(-50%); color: var(--parkade-t2); }
     .right b { display: block; font-weight: 600; color: var(--parkade-t1); white-space: nowrap; }
-    .axes { position: absolute; right: 4px; bottom: 1px; padding: 0; } .axes button { min-width: 42px; height: 24px; padding: 0 6px; font-size: 12px; }
+    .axes { position: absolute; right: 4px; bottom: 1px; padding: 0; }
+    .axes button { min-width: 42px; height: 24px; padding: 0 6px; font-size: 12px; }
     .none { grid-column: 1 / -1; place-self: center; color: var(--parkade-t3); }
   `,
   ];

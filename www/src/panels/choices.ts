@@ -25,13 +25,21 @@ export class Choices extends AppElement {
     controls,
     css`
     :host { position: absolute; z-index: 2; inset: 0 0 auto; display: block; pointer-events: none; }
-    :host([searching])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: linear-gradient(90deg, transparent, var(--parkade-accent), transparent) 0 0 / 40% 100% no-repeat; animation: run 1.2s linear infinite; }
+    :host([searching])::before {
+      content: ""; position: absolute; inset: 0 0 auto; height: 2px;
+      background: linear-gradient(90deg, transparent, var(--parkade-accent), transparent) 0 0 / 40% 100% no-repeat;
+      animation: run 1.2s linear infinite;
+    }
     @keyframes run { from { background-position: -40% 0; } to { background-position: 140% 0; } }
-    @media (prefers-reduced-motion: reduce) { :host([searching])::before { animation: none; background: var(--parkade-accent); opacity: 0.4; } }
+    @media (prefers-reduced-motion: reduce) {
+      :host([searching])::before { animation: none; background: var(--parkade-accent); opacity: 0.4; }
+    }
     :host(.low) { inset: auto 0 38px; }
     div { display: flex; flex-wrap: wrap; gap: 6px; padding: 8px; }
-    button { pointer-events: auto; height: 24px; padding: 0 8px; font-size: 12px; font-variant-numeric: tabular-nums; white-space: nowrap; color: var(--parkade-t1);
-      background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair2); border-radius: calc(5px * var(--parkade-radius)); }
+    button { pointer-events: auto; height: 24px; padding: 0 8px; font-size: 12px; font-variant-numeric: tabular-nums;
+    white-space: nowrap; color: var(--parkade-t1);
+      background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair2);
+      border-radius: calc(5px * var(--parkade-radius)); }
     button:hover { background: var(--parkade-panel); border-color: var(--parkade-t2); }
     button[aria-pressed="true"] { font-weight: 600; outline: 1.5px solid var(--parkade-t1); outline-offset: -1px; }
     @media (pointer: coarse) { button { height: 34px; padding: 0 12px; } }

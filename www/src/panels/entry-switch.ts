@@ -18,7 +18,12 @@ export class EntrySwitch extends AppElement {
     controls,
     css`
     :host { position: absolute; inset: 0; z-index: 10; pointer-events: none; overflow: hidden; }
-    button { position: absolute; pointer-events: auto; height: 28px; gap: 6px; padding: 0 10px 0 8px; font-size: 12px; font-weight: 500; white-space: nowrap; color: var(--parkade-t1); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
+    button {
+      position: absolute; pointer-events: auto; height: 28px; gap: 6px; padding: 0 10px 0 8px; font-size: 12px;
+      font-weight: 500; white-space: nowrap; color: var(--parkade-t1);
+      background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair2);
+      border-radius: calc(6px * var(--parkade-radius));
+    }
     button:hover { background: var(--parkade-panel); border-color: var(--parkade-accent); }
     button.out { visibility: hidden; }
     @media (pointer: coarse) { button { height: 44px; } }

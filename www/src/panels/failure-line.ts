@@ -21,15 +21,22 @@ export class FailureLine extends AppElement {
     controls,
     css`
     :host { display: block; z-index: 3; font-size: 12px; line-height: 15px; }
-    div { display: flex; align-items: start; gap: 8px; min-height: 28px; padding: 6px 4px 2px 12px; color: var(--parkade-t2); }
+    div {
+      display: flex; align-items: start; gap: 8px; min-height: 28px; padding: 6px 4px 2px 12px;
+      color: var(--parkade-t2);
+    }
     .err { background: var(--parkade-err-soft); color: var(--parkade-err); font-weight: 500; }
-    p { margin: 0; flex: 1; min-width: 0; overflow: hidden; display: -webkit-box; -webkit-box-orient: vertical; -webkit-line-clamp: 2; }
+    p {
+      margin: 0; flex: 1; min-width: 0; overflow: hidden; display: -webkit-box; -webkit-box-orient: vertical;
+      -webkit-line-clamp: 2;
+    }
     svg { margin-top: 2px; }
     button { height: 22px; margin: -3px 0; padding: 0 8px; font-weight: 600; color: inherit; flex: none; }
     button:hover { text-decoration: underline; }
     :host([short]) div { height: 40px; padding-top: 4px; }
     /* The rest is in its tooltip. */
-    :host([slim]) div { align-items: center; min-height: 22px; padding: 0 0 0 8px; gap: 6px; } :host([slim]) p { -webkit-line-clamp: 1; }
+    :host([slim]) div { align-items: center; min-height: 22px; padding: 0 0 0 8px; gap: 6px; }
+    :host([slim]) p { -webkit-line-clamp: 1; }
     @media (pointer: coarse) { button { height: 34px; margin: -9px 0; padding: 0 12px; } }
   `,
   ];

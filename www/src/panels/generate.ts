@@ -38,16 +38,33 @@ export class Generate extends AppElement {
     controls,
     css`
     :host { display: block; }
-    form { display: grid; grid-template-columns: minmax(160px, 250px) 1fr; gap: 14px 16px; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); overflow: hidden; background: var(--parkade-panel); }
-    .picture { min-height: 168px; display: grid; background: var(--parkade-out); border-right: 1px solid var(--parkade-hair); }
-    .words { padding: 12px 14px 12px 0; display: grid; gap: 10px; align-content: start; justify-items: start; min-width: 0; }
-    h3 { margin: 0; font: inherit; font-weight: 600; } p { margin: 0; color: var(--parkade-t2); font-size: 12.5px; line-height: 17px; }
+    form {
+      display: grid; grid-template-columns: minmax(160px, 250px) 1fr; gap: 14px 16px;
+      border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); overflow: hidden;
+      background: var(--parkade-panel);
+    }
+    .picture {
+      min-height: 168px; display: grid; background: var(--parkade-out); border-right: 1px solid var(--parkade-hair);
+    }
+    .words {
+      padding: 12px 14px 12px 0; display: grid; gap: 10px; align-content: start; justify-items: start; min-width: 0;
+    }
+    h3 { margin: 0; font: inherit; font-weight: 600; }
+    p { margin: 0; color: var(--parkade-t2); font-size: 12.5px; line-height: 17px; }
     .fields { display: flex; flex-wrap: wrap; gap: 8px 14px; }
     label { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
-    .field { width: 92px; color: var(--parkade-t1); } .bad { border-color: var(--parkade-err); box-shadow: inset 0 0 0 1px var(--parkade-err); }
-    .fault { color: var(--parkade-err); display: flex; gap: 6px; align-items: center; min-height: 18px; overflow-wrap: anywhere; }
+    .field { width: 92px; color: var(--parkade-t1); }
+    .bad { border-color: var(--parkade-err); box-shadow: inset 0 0 0 1px var(--parkade-err); }
+    .fault {
+      color: var(--parkade-err); display: flex; gap: 6px; align-items: center; min-height: 18px;
+      overflow-wrap: anywhere;
+    }
     .seed { display: flex; align-items: center; gap: 2px; }
-    @media (max-width: 640px) { form { grid-template-columns: 1fr; gap: 0; } .picture { min-height: 140px; border-right: 0; border-bottom: 1px solid var(--parkade-hair); } .words { padding: 12px; } }
+    @media (max-width: 640px) {
+      form { grid-template-columns: 1fr; gap: 0; }
+      .picture { min-height: 140px; border-right: 0; border-bottom: 1px solid var(--parkade-hair); }
+      .words { padding: 12px; }
+    }
   `,
   ];
   declare family: (typeof FAMILIES)[number];

@@ -39,9 +39,15 @@ export class GuestCard extends AppElement {
     controls,
     sections,
     css`
-    table { width: 100%; border-collapse: collapse; font-size: 12px; line-height: 16px; } th, td { padding: 2px 0 2px 8px; text-align: right; font-weight: 400; }
-    th:first-child { padding-left: 0; text-align: left; color: var(--parkade-t2); } thead th { color: var(--parkade-t2); white-space: nowrap; max-width: 84px; overflow: hidden; text-overflow: ellipsis; }
-    .err { color: var(--parkade-err); } h2 { overflow: hidden; } h2 span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+    table { width: 100%; border-collapse: collapse; font-size: 12px; line-height: 16px; }
+    th, td { padding: 2px 0 2px 8px; text-align: right; font-weight: 400; }
+    th:first-child { padding-left: 0; text-align: left; color: var(--parkade-t2); }
+    thead th {
+      color: var(--parkade-t2); white-space: nowrap; max-width: 84px; overflow: hidden; text-overflow: ellipsis;
+    }
+    .err { color: var(--parkade-err); }
+    h2 { overflow: hidden; }
+    h2 span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
   `,
   ];
 

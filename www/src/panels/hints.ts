@@ -37,9 +37,16 @@ export class Hints extends AppElement {
     controls,
     css`
     :host { position: absolute; inset: 0; z-index: 20; pointer-events: none; overflow: hidden; }
-    div { position: absolute; width: max-content; max-width: min(300px, calc(100% - 16px)); display: flex; align-items: center; gap: 4px; padding: 3px 3px 3px 12px; border-radius: calc(6px * var(--parkade-radius)); background: var(--parkade-t1); color: var(--parkade-panel); font-weight: 500; font-size: 13px; line-height: 18px; }
+    div {
+      position: absolute; width: max-content; max-width: min(300px, calc(100% - 16px)); display: flex;
+      align-items: center; gap: 4px; padding: 3px 3px 3px 12px; border-radius: calc(6px * var(--parkade-radius));
+      background: var(--parkade-t1); color: var(--parkade-panel); font-weight: 500; font-size: 13px; line-height: 18px;
+    }
     div.out { visibility: hidden; }
-    i { position: absolute; width: 8px; height: 8px; margin: -4px; background: var(--parkade-t1); transform: rotate(45deg); }
+    i {
+      position: absolute; width: 8px; height: 8px; margin: -4px; background: var(--parkade-t1);
+      transform: rotate(45deg);
+    }
     u { position: absolute; margin: -1px; min-width: 2px; min-height: 2px; background: var(--parkade-t1); }
     button { pointer-events: auto; width: 26px; height: 26px; min-width: 0; flex: none; }
     @media (pointer: coarse) { button { width: 44px; height: 44px; } }

@@ -26,13 +26,22 @@ export class ImageDialog extends DialogElement {
     css`
     dialog { --dialog-width: 720px; }
     .split { display: grid; grid-template-columns: minmax(0, 1fr) 250px; gap: 18px; }
-    .picture { min-height: 240px; max-height: 420px; display: grid; place-items: center; background: var(--parkade-out); border-radius: calc(8px * var(--parkade-radius)); overflow: hidden; }
+    .picture {
+      min-height: 240px; max-height: 420px; display: grid; place-items: center; background: var(--parkade-out);
+      border-radius: calc(8px * var(--parkade-radius)); overflow: hidden;
+    }
     canvas { width: 100%; height: 100%; max-height: 420px; object-fit: contain; image-rendering: pixelated; }
-    label { display: grid; gap: 4px; color: var(--parkade-t2); margin-bottom: 12px; } .check { display: flex; align-items: center; gap: 8px; }
+    label { display: grid; gap: 4px; color: var(--parkade-t2); margin-bottom: 12px; }
+    .check { display: flex; align-items: center; gap: 8px; }
     .field { width: 120px; color: var(--parkade-t1); } output { float: right; color: var(--parkade-t1); }
-    p { margin: 0 0 12px; color: var(--parkade-t2); font-size: 12px; line-height: 16px; } .warn { color: var(--parkade-warn); }
+    p { margin: 0 0 12px; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
+    .warn { color: var(--parkade-warn); }
     input[type="checkbox"] { accent-color: var(--parkade-accent); margin: 0; } .solid { width: 100%; }
-    @media (max-width: 640px) { .split { grid-template-columns: 1fr; } .picture { min-height: 160px; max-height: 240px; } canvas { max-height: 240px; } }
+    @media (max-width: 640px) {
+      .split { grid-template-columns: 1fr; }
+      .picture { min-height: 160px; max-height: 240px; }
+      canvas { max-height: 240px; }
+    }
   `,
   ];
   declare name: string;

@@ -57,16 +57,37 @@ export class ImportBar extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { grid-area: stage; align-self: end; z-index: 9; display: grid; justify-items: center; pointer-events: none; padding: 0 10px 46px; min-width: 0; }
-    .bar { pointer-events: auto; display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px; padding: 6px 6px 6px 12px; max-width: 100%; background: var(--parkade-raise); border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
+    :host {
+      grid-area: stage; align-self: end; z-index: 9; display: grid; justify-items: center; pointer-events: none;
+      padding: 0 10px 46px; min-width: 0;
+    }
+    .bar {
+      pointer-events: auto; display: flex; align-items: center; flex-wrap: wrap; gap: 6px 12px;
+      padding: 6px 6px 6px 12px; max-width: 100%; background: var(--parkade-raise);
+      border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius));
+      box-shadow: var(--parkade-float);
+    }
     b { font-weight: 600; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; max-width: 200px; }
     .step { display: flex; align-items: center; gap: 2px; color: var(--parkade-t2); }
     .field { width: 58px; color: var(--parkade-t1); }
-    select { height: 28px; padding: 0 6px; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
+    select {
+      height: 28px; padding: 0 6px; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2);
+      border-radius: calc(6px * var(--parkade-radius));
+    }
     label { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
     select { color: var(--parkade-t1); max-width: 150px; }
     .length { color: var(--parkade-t2); }
-    @media (max-width: 640px) { :host { padding: 0 8px 8px; } .length { display: none; } b { order: -2; flex: 1 0 calc(100% - 64px); max-width: none; } .close { order: -1; } .bar { gap: 2px 8px; padding: 2px 4px 6px 12px; width: 100%; } select { max-width: 112px; } label { font-size: 0; } select { font-size: 13px; } .step { margin-left: auto; } }
+    @media (max-width: 640px) {
+      :host { padding: 0 8px 8px; }
+      .length { display: none; }
+      b { order: -2; flex: 1 0 calc(100% - 64px); max-width: none; }
+      .close { order: -1; }
+      .bar { gap: 2px 8px; padding: 2px 4px 6px 12px; width: 100%; }
+      select { max-width: 112px; }
+      label { font-size: 0; }
+      select { font-size: 13px; }
+      .step { margin-left: auto; }
+    }
   `,
   ];
   declare opened: Opened | null;

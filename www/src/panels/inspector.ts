@@ -19,9 +19,14 @@ export class Inspector extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { display: block; overflow-y: auto; overflow-x: hidden; background: var(--parkade-panel); border-left: 1px solid var(--parkade-hair); scrollbar-width: thin; scrollbar-color: var(--parkade-hair2) transparent; }
+    :host {
+      display: block; overflow-y: auto; overflow-x: hidden; background: var(--parkade-panel);
+      border-left: 1px solid var(--parkade-hair); scrollbar-width: thin;
+      scrollbar-color: var(--parkade-hair2) transparent;
+    }
     section { padding: 14px; border-top: 1px solid var(--parkade-hair); }
-    section:has(> [hidden]) { display: none; } section:first-child, section:first-child:has(> [hidden]) + section { border-top: 0; }
+    section:has(> [hidden]) { display: none; }
+    section:first-child, section:first-child:has(> [hidden]) + section { border-top: 0; }
   `,
   ];
   declare ready: boolean;

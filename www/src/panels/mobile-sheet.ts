@@ -33,17 +33,31 @@ export class Chips extends AppElement {
     controls,
     css`
     :host { display: block; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
-    .chips { display: grid; grid-auto-flow: column; grid-auto-columns: minmax(76px, 1fr); gap: 6px; padding: 6px 10px; overflow: auto; scrollbar-width: none; }
-    button { display: grid; grid-template-columns: 12px 1fr; gap: 0 6px; padding: 4px 8px; min-width: 0; min-height: 44px; text-align: left; align-items: center; font-size: 12px; line-height: 15px; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); touch-action: manipulation; user-select: none; -webkit-user-select: none; }
+    .chips {
+      display: grid; grid-auto-flow: column; grid-auto-columns: minmax(76px, 1fr); gap: 6px; padding: 6px 10px;
+      overflow: auto; scrollbar-width: none;
+    }
+    button {
+      display: grid; grid-template-columns: 12px 1fr; gap: 0 6px; padding: 4px 8px; min-width: 0; min-height: 44px;
+      text-align: left; align-items: center; font-size: 12px; line-height: 15px; border: 1px solid var(--parkade-hair2);
+      border-radius: calc(10px * var(--parkade-radius)); touch-action: manipulation; user-select: none;
+      -webkit-user-select: none;
+    }
     button[aria-pressed="true"] { border-color: var(--parkade-t1); box-shadow: inset 0 0 0 1px var(--parkade-t1); }
     b { font-weight: 600; overflow: hidden; text-overflow: ellipsis; }
     span { grid-column: 2; color: var(--parkade-t2); overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
     .err { color: var(--parkade-err); } .warn { color: var(--parkade-warn); }
     .off b { color: var(--parkade-t3); text-decoration: line-through; }
     :host([rail]) { border: 0; border-left: 1px solid var(--parkade-hair); min-height: 0; }
-    :host([rail]) .chips { grid-auto-flow: row; grid-template-columns: 1fr; align-content: start; gap: 4px; padding: 4px; height: 100%; }
-    :host([rail]) button { grid-template-columns: 1fr; justify-items: center; gap: 2px 0; padding: 4px 0; min-height: 48px; border-radius: calc(6px * var(--parkade-radius)); }
-    :host([rail]) span { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); } :host([rail]) b { max-width: 100%; }
+    :host([rail]) .chips {
+      grid-auto-flow: row; grid-template-columns: 1fr; align-content: start; gap: 4px; padding: 4px; height: 100%;
+    }
+    :host([rail]) button {
+      grid-template-columns: 1fr; justify-items: center; gap: 2px 0; padding: 4px 0; min-height: 48px;
+      border-radius: calc(6px * var(--parkade-radius));
+    }
+    :host([rail]) span { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+    :host([rail]) b { max-width: 100%; }
   `,
   ];
   declare rail: boolean;
@@ -95,22 +109,46 @@ export class Sheet extends AppElement {
     controls,
     css`
     :host { display: block; background: var(--parkade-app); }
-    .sheet { background: var(--parkade-raise); border-radius: calc(14px * var(--parkade-radius)) calc(14px * var(--parkade-radius)) 0 0; box-shadow: 0 -1px 0 var(--parkade-hair); }
+    .sheet {
+      background: var(--parkade-raise);
+      border-radius: calc(14px * var(--parkade-radius)) calc(14px * var(--parkade-radius)) 0 0;
+      box-shadow: 0 -1px 0 var(--parkade-hair);
+    }
     .grip { display: block; width: 100%; height: 24px; touch-action: none; cursor: ns-resize; position: relative; }
     .grip::before { content: ""; position: absolute; inset: -10px 0 0; }
-    .grip::after { content: ""; position: absolute; left: 50%; top: 9px; width: 36px; height: 4px; margin-left: -18px; border-radius: 2px; background: var(--parkade-hair2); }
+    .grip::after {
+      content: ""; position: absolute; left: 50%; top: 9px; width: 36px; height: 4px; margin-left: -18px;
+      border-radius: 2px; background: var(--parkade-hair2);
+    }
     .segmented { display: flex; margin: 0 10px 6px; }
     .segmented button { flex: 1; height: 30px; position: relative; }
     .segmented button::after { content: ""; position: absolute; inset: -7px 0; }
-    .body { overflow-y: auto; overscroll-behavior: contain; transition: height var(--parkade-slow) var(--parkade-ease); }
+    .body {
+      overflow-y: auto; overscroll-behavior: contain; transition: height var(--parkade-slow) var(--parkade-ease);
+    }
     parkade-inspector { border: 0; }
-    .tools { display: flex; justify-content: space-between; overflow-x: auto; scrollbar-width: none; height: 48px; padding: 0 6px; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); padding-bottom: env(safe-area-inset-bottom); box-sizing: content-box; }
+    .tools {
+      display: flex; justify-content: space-between; overflow-x: auto; scrollbar-width: none; height: 48px;
+      padding: 0 6px; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair);
+      padding-bottom: env(safe-area-inset-bottom); box-sizing: content-box;
+    }
     .tools button { flex: 1 0 44px; height: 48px; max-width: 52px; color: var(--parkade-t1); }
-    .tools button[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
+    .tools button[aria-pressed="true"] {
+      background: var(--parkade-accent-soft); color: var(--parkade-accent);
+      box-shadow: inset 0 0 0 1px var(--parkade-accent);
+    }
     .draw { padding: 10px 14px; color: var(--parkade-t2); }
-    .toggle { width: 100%; height: 44px; border-left: 1px solid var(--parkade-hair); border-radius: 0; background: var(--parkade-panel); }
+    .toggle {
+      width: 100%; height: 44px; border-left: 1px solid var(--parkade-hair); border-radius: 0;
+      background: var(--parkade-panel);
+    }
     .toggle[aria-expanded="true"] { color: var(--parkade-accent); }
-    .drawer { position: absolute; z-index: 15; top: 0; right: 57px; bottom: 37px; width: min(320px, 100cqw - 106px); display: flex; flex-direction: column; padding-top: 8px; background: var(--parkade-raise); border-left: 1px solid var(--parkade-hair); box-shadow: var(--parkade-float); animation: slide var(--parkade-slow) var(--parkade-ease); }
+    .drawer {
+      position: absolute; z-index: 15; top: 0; right: 57px; bottom: 37px; width: min(320px, 100cqw - 106px);
+      display: flex; flex-direction: column; padding-top: 8px; background: var(--parkade-raise);
+      border-left: 1px solid var(--parkade-hair); box-shadow: var(--parkade-float);
+      animation: slide var(--parkade-slow) var(--parkade-ease);
+    }
     .drawer .body { flex: 1; min-height: 0; }
     @keyframes slide { from { transform: translateX(100%); opacity: 0; } }
     .charts { height: 200px; border-left: 0; border-top: 1px solid var(--parkade-hair); }

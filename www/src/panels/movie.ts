@@ -45,9 +45,15 @@ export class MovieDialog extends DialogElement {
     dialogs,
     css`
     dialog { --dialog-width: 440px; }
-    form { padding: 4px 24px 20px; } .row { display: flex; align-items: center; justify-content: space-between; gap: 12px; min-height: 40px; }
-    select { appearance: none; height: 28px; padding: 0 8px; border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); background: var(--parkade-panel); max-width: 60%; }
-    .field { width: 90px; } footer { display: flex; align-items: center; gap: 12px; margin-top: 10px; } footer p { flex: 1; margin: 0; color: var(--parkade-t2); }
+    form { padding: 4px 24px 20px; }
+    .row { display: flex; align-items: center; justify-content: space-between; gap: 12px; min-height: 40px; }
+    select {
+      appearance: none; height: 28px; padding: 0 8px; border: 1px solid var(--parkade-hair2);
+      border-radius: calc(6px * var(--parkade-radius)); background: var(--parkade-panel); max-width: 60%;
+    }
+    .field { width: 90px; }
+    footer { display: flex; align-items: center; gap: 12px; margin-top: 10px; }
+    footer p { flex: 1; margin: 0; color: var(--parkade-t2); }
     progress { width: 100%; height: 4px; margin-top: 10px; accent-color: var(--parkade-accent); }
     @media (pointer: coarse) { select, .field { height: 44px; } }
   `,

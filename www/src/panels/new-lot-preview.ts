@@ -33,12 +33,29 @@ export class LotPreview extends AppElement {
     drag: { state: true },
   };
   static override styles = css`
-    :host { position: relative; min-width: 0; overflow: hidden; background: var(--parkade-out); } parkade-thumbnail { position: absolute; inset: 0; } .stale { opacity: .4; }
-    button { position: absolute; width: 24px; height: 24px; margin: -12px 0 0 -12px; padding: 0; border: 0; background: none; cursor: ew-resize; touch-action: none; } .up { cursor: ns-resize; }
-    button::before { content: ""; position: absolute; inset: 0; margin: auto; width: 7px; height: 7px; border: 1.5px solid var(--parkade-obs-edge); background: var(--parkade-floor); }
-    button:hover::before, .held::before { background: var(--parkade-accent); border-color: var(--parkade-accent); } button:focus-visible { outline: 2px solid var(--parkade-accent); outline-offset: -4px; }
-    span { position: absolute; left: 50%; top: 50%; translate: -50% -50%; padding: 0 8px; border-radius: 5px; background: var(--parkade-accent); color: var(--parkade-panel); font-size: 12px; line-height: 22px; white-space: nowrap; pointer-events: none; }
-    .right span { translate: calc(-100% - 12px) -50%; } .left span { translate: 12px -50%; } .top span { translate: -50% 12px; } .bottom span { translate: -50% calc(-100% - 12px); }
+    :host { position: relative; min-width: 0; overflow: hidden; background: var(--parkade-out); }
+    parkade-thumbnail { position: absolute; inset: 0; }
+    .stale { opacity: .4; }
+    button {
+      position: absolute; width: 24px; height: 24px; margin: -12px 0 0 -12px; padding: 0; border: 0; background: none;
+      cursor: ew-resize; touch-action: none;
+    }
+    .up { cursor: ns-resize; }
+    button::before {
+      content: ""; position: absolute; inset: 0; margin: auto; width: 7px; height: 7px;
+      border: 1.5px solid var(--parkade-obs-edge); background: var(--parkade-floor);
+    }
+    button:hover::before, .held::before { background: var(--parkade-accent); border-color: var(--parkade-accent); }
+    button:focus-visible { outline: 2px solid var(--parkade-accent); outline-offset: -4px; }
+    span {
+      position: absolute; left: 50%; top: 50%; translate: -50% -50%; padding: 0 8px; border-radius: 5px;
+      background: var(--parkade-accent); color: var(--parkade-panel); font-size: 12px; line-height: 22px;
+      white-space: nowrap; pointer-events: none;
+    }
+    .right span { translate: calc(-100% - 12px) -50%; }
+    .left span { translate: 12px -50%; }
+    .top span { translate: -50% 12px; }
+    .bottom span { translate: -50% calc(-100% - 12px); }
     button:not(.held, :focus-visible) span { display: none; }
     @media (pointer: coarse) { button { width: 44px; height: 44px; margin: -22px 0 0 -22px; } }
   `;

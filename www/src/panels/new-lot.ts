@@ -62,25 +62,53 @@ export class NewLot extends DialogElement {
     dialogs,
     css`
     dialog { --dialog-width: 880px; height: min(560px, 92dvh); }
-    form { flex: 1; min-height: 0; display: grid; grid-template: minmax(0, 1fr) auto / 320px minmax(0, 1fr); border-top: 1px solid var(--parkade-hair); }
+    form {
+      flex: 1; min-height: 0; display: grid; grid-template: minmax(0, 1fr) auto / 320px minmax(0, 1fr);
+      border-top: 1px solid var(--parkade-hair);
+    }
     .blocks { overflow-y: auto; border-right: 1px solid var(--parkade-hair); overscroll-behavior: contain; }
     section { border-bottom: 1px solid var(--parkade-hair); }
-    .head { display: flex; width: 100%; height: 40px; padding: 0 16px 0 24px; justify-content: flex-start; gap: 10px; border-radius: 0; }
+    .head {
+      display: flex; width: 100%; height: 40px; padding: 0 16px 0 24px; justify-content: flex-start; gap: 10px;
+      border-radius: 0;
+    }
     .head:hover { background: var(--parkade-hover); } .head:focus-visible { outline-offset: -2px; }
-    .head b { font-weight: 600; } .head span { flex: 1; min-width: 0; text-align: right; overflow: hidden; text-overflow: ellipsis; color: var(--parkade-t2); font-size: 12.5px; }
-    .head svg { color: var(--parkade-t3); } .head[aria-expanded="true"] svg { transform: rotate(180deg); } .head.bad b { color: var(--parkade-err); }
+    .head b { font-weight: 600; }
+    .head span {
+      flex: 1; min-width: 0; text-align: right; overflow: hidden; text-overflow: ellipsis; color: var(--parkade-t2);
+      font-size: 12.5px;
+    }
+    .head svg { color: var(--parkade-t3); }
+    .head[aria-expanded="true"] svg { transform: rotate(180deg); }
+    .head.bad b { color: var(--parkade-err); }
     .rows { padding: 0 16px 10px 24px; }
-    .row { display: flex; align-items: center; gap: 10px; min-height: 32px; } .row > label, .name { width: 94px; flex: none; color: var(--parkade-t2); } .name { width: auto; }
-    .row .slider { flex: 1; min-width: 0; width: 0; } .row .field { width: 74px; flex: none; } .row .segmented { margin-left: auto; } .row .segmented button { padding: 0 8px; }
+    .row { display: flex; align-items: center; gap: 10px; min-height: 32px; }
+    .row > label, .name { width: 94px; flex: none; color: var(--parkade-t2); }
+    .name { width: auto; }
+    .row .slider { flex: 1; min-width: 0; width: 0; }
+    .row .field { width: 74px; flex: none; }
+    .row .segmented { margin-left: auto; }
+    .row .segmented button { padding: 0 8px; }
     .row .field.bad { border-color: var(--parkade-err); } .row .field.auto input { color: var(--parkade-t2); }
     .row .icon { width: 20px; height: 24px; margin: 0 -4px; }
     .row .segmented:only-child { margin: 0; }
-    footer { grid-column: 1 / -1; display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px; border-top: 1px solid var(--parkade-hair); }
+    footer {
+      grid-column: 1 / -1; display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px;
+      border-top: 1px solid var(--parkade-hair);
+    }
     footer p { margin: 0; flex: 1; min-width: 0; color: var(--parkade-t2); } footer p.bad { color: var(--parkade-err); }
     @media (max-width: 640px) {
       dialog { width: 100vw; height: 100dvh; max-height: none; border-radius: 0; margin: 0; }
-      form { grid-template: 45dvh minmax(0, 1fr) auto / 100%; } parkade-lot-preview { order: -1; border-bottom: 1px solid var(--parkade-hair); } .blocks { border: 0; }
-      .head { height: 44px; padding: 0 16px; } .rows { padding: 0 16px 10px; } .row { min-height: 44px; } .row .field { height: 36px; } footer { padding: 10px 16px; flex-wrap: wrap; } footer p { flex: 1 0 100%; min-height: 20px; } footer .button { height: 44px; flex: 1; }
+      form { grid-template: 45dvh minmax(0, 1fr) auto / 100%; }
+      parkade-lot-preview { order: -1; border-bottom: 1px solid var(--parkade-hair); }
+      .blocks { border: 0; }
+      .head { height: 44px; padding: 0 16px; }
+      .rows { padding: 0 16px 10px; }
+      .row { min-height: 44px; }
+      .row .field { height: 36px; }
+      footer { padding: 10px 16px; flex-wrap: wrap; }
+      footer p { flex: 1 0 100%; min-height: 20px; }
+      footer .button { height: 44px; flex: 1; }
     }
   `,
   ];

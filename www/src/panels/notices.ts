@@ -14,8 +14,16 @@ export class Notices extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { position: absolute; left: 0; right: 0; top: 56px; z-index: 25; display: grid; justify-items: center; pointer-events: none; padding: 0 12px; }
-    .notice { display: flex; align-items: center; gap: 10px; max-width: 640px; padding: 6px 6px 6px 12px; pointer-events: auto; border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); background: var(--parkade-raise); border: 1px solid var(--parkade-hair2); animation: appear var(--parkade-mid) var(--parkade-ease); }
+    :host {
+      position: absolute; left: 0; right: 0; top: 56px; z-index: 25; display: grid; justify-items: center;
+      pointer-events: none; padding: 0 12px;
+    }
+    .notice {
+      display: flex; align-items: center; gap: 10px; max-width: 640px; padding: 6px 6px 6px 12px; pointer-events: auto;
+      border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float);
+      background: var(--parkade-raise); border: 1px solid var(--parkade-hair2);
+      animation: appear var(--parkade-mid) var(--parkade-ease);
+    }
     .notice span { overflow-wrap: anywhere; }
     .err { background: var(--parkade-err-soft); color: var(--parkade-err); border-color: transparent; }
     .warn { background: var(--parkade-warn-soft); color: var(--parkade-warn); border-color: transparent; }

@@ -44,8 +44,12 @@ export class ObjectList extends AppElement {
     ul { list-style: none; margin: 0 -8px; padding: 0; }
     li button { width: 100%; height: 27px; padding: 0 8px; gap: 10px; justify-content: flex-start; }
     li button:hover { background: var(--parkade-hover); }
-    li button[aria-pressed="true"] { background: var(--parkade-accent-soft); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
-    li span:last-child { margin-left: auto; color: var(--parkade-t2); font-size: 12px; overflow: hidden; text-overflow: ellipsis; }
+    li button[aria-pressed="true"] {
+      background: var(--parkade-accent-soft); box-shadow: inset 0 0 0 1px var(--parkade-accent);
+    }
+    li span:last-child {
+      margin-left: auto; color: var(--parkade-t2); font-size: 12px; overflow: hidden; text-overflow: ellipsis;
+    }
     li svg { color: var(--parkade-t2); }
     @media (pointer: coarse) { li button { height: 44px; } }
   `,

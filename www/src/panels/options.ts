@@ -27,7 +27,9 @@ export class ToolOptionsBar extends AppElement {
     :host { display: block; min-width: 0; background: var(--parkade-panel); }
     :host([hidden]) { display: none; }
     .bar { display: flex; align-items: center; gap: 6px 12px; padding: 6px 12px; }
-    :host(:not([flat], [form])) .bar { overflow-x: auto; scrollbar-width: thin; border-bottom: 1px solid var(--parkade-hair); white-space: nowrap; }
+    :host(:not([flat], [form])) .bar {
+      overflow-x: auto; scrollbar-width: thin; border-bottom: 1px solid var(--parkade-hair); white-space: nowrap;
+    }
     .bar > * { flex: none; }
     b { font-weight: 600; }
     label { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
@@ -37,7 +39,8 @@ export class ToolOptionsBar extends AppElement {
     .lock[aria-pressed="true"] { color: var(--parkade-accent); }
     :host([flat]) .bar { flex-wrap: wrap; padding: 8px 12px; }
     :host([form]) .bar { display: grid; gap: 8px; padding: 0; }
-    :host([form]) label { justify-content: space-between; } :host([form]) label:has([type="checkbox"]) { justify-content: start; }
+    :host([form]) label { justify-content: space-between; }
+    :host([form]) label:has([type="checkbox"]) { justify-content: start; }
     :host([form]) .segmented { display: flex; } :host([form]) .segmented button { flex: 1 0 auto; padding: 0 6px; }
     :host([form]) .lock { justify-content: start; margin: 0 -10px; }
   `,

@@ -33,18 +33,36 @@ export class PlannerPanel extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { display: grid; container-type: inline-size; grid-template-rows: 32px 1fr; min-width: 0; min-height: 0; background: var(--parkade-panel); position: relative; }
-    :host([active])::before { content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: var(--parkade-accent); z-index: 2; }
-    header { display: flex; align-items: center; gap: 8px; padding: 0 8px 0 12px; border-bottom: 1px solid var(--parkade-hair); min-width: 0; overflow: hidden; cursor: default; user-select: none; -webkit-user-select: none; }
-    h2 { margin: 0; min-width: 0; font: inherit; font-weight: 600; white-space: nowrap; display: flex; align-items: center; gap: 8px; }
+    :host {
+      display: grid; container-type: inline-size; grid-template-rows: 32px 1fr; min-width: 0; min-height: 0;
+      background: var(--parkade-panel); position: relative;
+    }
+    :host([active])::before {
+      content: ""; position: absolute; inset: 0 0 auto; height: 2px; background: var(--parkade-accent); z-index: 2;
+    }
+    header {
+      display: flex; align-items: center; gap: 8px; padding: 0 8px 0 12px; border-bottom: 1px solid var(--parkade-hair);
+      min-width: 0; overflow: hidden; cursor: default; user-select: none; -webkit-user-select: none;
+    }
+    h2 {
+      margin: 0; min-width: 0; font: inherit; font-weight: 600; white-space: nowrap; display: flex; align-items: center;
+      gap: 8px;
+    }
     h2 span { overflow: hidden; text-overflow: ellipsis; }
     .time { color: var(--parkade-t2); white-space: nowrap; min-width: 58px; }
     .chip { flex: 0 1 auto; min-width: 56px; }
     .chip .short { display: none; }
-    @container (max-width: 470px) { .chip .short { display: block; } .chip .long { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); } }
+    @container (max-width: 470px) {
+      .chip .short { display: block; }
+      .chip .long { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+    }
     /* Of many planners the names stay, and what the answer is, by its colour and sign. */
     @container (max-width: 330px) { .time { display: none; } h2 { flex: 0 1 auto; } }
-    @container (max-width: 250px) { .chip .short { display: none; } .chip { flex: none; min-width: 0; padding: 0 4px; } header { gap: 4px; padding: 0 4px 0 8px; } }
+    @container (max-width: 250px) {
+      .chip .short { display: none; }
+      .chip { flex: none; min-width: 0; padding: 0 4px; }
+      header { gap: 4px; padding: 0 4px 0 8px; }
+    }
     @container (max-width: 150px) { .end button:first-child:not(:last-child) { display: none; } }
     .off h2, .off .time { color: var(--parkade-t3); }
     .stale .time { color: var(--parkade-t3); }
@@ -52,19 +70,31 @@ export class PlannerPanel extends AppElement {
     .body { position: relative; min-height: 0; }
     parkade-scene-view { position: absolute; inset: 0; }
     .corner { position: absolute; left: var(--scale-inset, 8px); bottom: 28px; pointer-events: none; }
-    .corner.right { left: auto; right: var(--legend-inset, 8px); bottom: 8px; display: grid; gap: 4px; justify-items: end; }
+    .corner.right {
+      left: auto; right: var(--legend-inset, 8px); bottom: 8px; display: grid; gap: 4px; justify-items: end;
+    }
     .slim .corner { display: none; }
     .corner.top { bottom: auto; top: 46px; }
     .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
-      border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2); white-space: nowrap; }
+      border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2);
+      white-space: nowrap; }
     .pill b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
     .legend { gap: 6px; }
     .weights { gap: 6px; }
     .weights i { width: 18px; height: 14px; border: 1px solid var(--parkade-warn); }
-    .ramp { width: 72px; height: 6px; border-radius: 1px; background: linear-gradient(to right, #00224e, #123570, #3b496c, #575d6d, #707173, #8a8678, #a59c74, #c3b369, #e1cc55, #fde838); }
-    parkade-failure { position: absolute; inset: 0 0 auto; } parkade-failure.low { inset: auto 0 0; } .low ~ .corner:not(.top) { bottom: 46px; }
-    .veil { position: absolute; inset: 0; display: grid; place-items: center; background: var(--parkade-panel); color: var(--parkade-t3); text-align: center; padding: 12px; }
+    .ramp {
+      width: 72px; height: 6px; border-radius: 1px;
+      background: linear-gradient(to right, #00224e, #123570, #3b496c, #575d6d, #707173, #8a8678, #a59c74, #c3b369,
+      #e1cc55, #fde838);
+    }
+    parkade-failure { position: absolute; inset: 0 0 auto; }
+    parkade-failure.low { inset: auto 0 0; }
+    .low ~ .corner:not(.top) { bottom: 46px; }
+    .veil {
+      position: absolute; inset: 0; display: grid; place-items: center; background: var(--parkade-panel);
+      color: var(--parkade-t3); text-align: center; padding: 12px;
+    }
     :host([thumb]) .time, :host([thumb]) .pill, :host([thumb]) parkade-failure { display: none; }
     :host([thumb]) { --panel-gap: 6px; }
   `,

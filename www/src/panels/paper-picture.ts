@@ -22,9 +22,18 @@ export class PaperPicture extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { display: block; width: 230px; } button { display: block; width: 100%; padding: 0; border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); overflow: hidden; text-align: left; background: var(--parkade-panel); height: auto; }
-    button:hover { border-color: var(--parkade-t3); } parkade-thumbnail { height: 120px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
-    span { display: flex; align-items: center; gap: 6px; padding: 6px 10px; font-size: 12px; line-height: 16px; white-space: normal; }
+    :host { display: block; width: 230px; }
+    button {
+      display: block; width: 100%; padding: 0; border: 1px solid var(--parkade-hair2);
+      border-radius: calc(10px * var(--parkade-radius)); overflow: hidden; text-align: left;
+      background: var(--parkade-panel); height: auto;
+    }
+    button:hover { border-color: var(--parkade-t3); }
+    parkade-thumbnail { height: 120px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
+    span {
+      display: flex; align-items: center; gap: 6px; padding: 6px 10px; font-size: 12px; line-height: 16px;
+      white-space: normal;
+    }
   `,
   ];
   declare scene: string;

@@ -29,7 +29,12 @@ export const sentencesOf = (lang: Lang, claim: PaperClaim): [text: string, found
 ];
 
 export const claimStyles = css`
-  .claims { list-style: none; margin: 0; padding: 0; font-size: 12.5px; line-height: 17px; } .claims li { display: grid; grid-template-columns: 130px 1fr; gap: 2px 12px; padding: 6px 0; border-top: 1px solid var(--parkade-hair); align-items: start; } .claims .chip { justify-self: start; }
+  .claims { list-style: none; margin: 0; padding: 0; font-size: 12.5px; line-height: 17px; }
+  .claims li {
+    display: grid; grid-template-columns: 130px 1fr; gap: 2px 12px; padding: 6px 0;
+    border-top: 1px solid var(--parkade-hair); align-items: start;
+  }
+  .claims .chip { justify-self: start; }
   .claims p { margin: 2px 0 0; color: var(--parkade-t2); }
   @media (max-width: 640px) { .claims li { grid-template-columns: 1fr; } }
 `;

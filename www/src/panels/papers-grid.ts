@@ -34,9 +34,12 @@ export class PapersGrid extends PapersTab<Summary> {
     PapersTab.styles,
     claimStyles,
     css`
-    .range { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); } .field { width: 56px; color: var(--parkade-t1); } .bad { border-color: var(--parkade-err); }
+    .range { display: flex; align-items: center; gap: 6px; color: var(--parkade-t2); }
+    .field { width: 56px; color: var(--parkade-t1); }
+    .bad { border-color: var(--parkade-err); }
     td.printed { border-left: 1px solid var(--parkade-hair); padding-left: 14px; }
-    details { margin-top: 6px; } summary { cursor: pointer; color: var(--parkade-t2); font-size: 12px; line-height: 20px; }
+    details { margin-top: 6px; }
+    summary { cursor: pointer; color: var(--parkade-t2); font-size: 12px; line-height: 20px; }
   `,
   ];
   declare from: string;

@@ -30,7 +30,9 @@ export class PapersParking extends PapersRowsTab<"parking"> {
     PapersRowsTab.styles,
     claimStyles,
     css`
-    .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
+    .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; }
+    .held.missed { color: var(--parkade-err); }
+    .held svg { width: 12px; height: 12px; }
     td .chip { margin-right: 6px; } .saved { width: auto; }
   `,
   ];

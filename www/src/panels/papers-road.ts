@@ -29,9 +29,13 @@ export class PapersRoad extends PapersRowsTab<"road"> {
     PapersRowsTab.styles,
     claimStyles,
     css`
-    td small, th small { font-size: inherit; color: var(--parkade-t2); font-weight: 400; margin-left: 6px; } small:empty { display: none; }
-    .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; } .held.missed { color: var(--parkade-err); } .held svg { width: 12px; height: 12px; }
-    .flags { margin: 6px 0 0; padding-left: 18px; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); } .flags li { padding: 3px 0; }
+    td small, th small { font-size: inherit; color: var(--parkade-t2); font-weight: 400; margin-left: 6px; }
+    small:empty { display: none; }
+    .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; }
+    .held.missed { color: var(--parkade-err); }
+    .held svg { width: 12px; height: 12px; }
+    .flags { margin: 6px 0 0; padding-left: 18px; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); }
+    .flags li { padding: 3px 0; }
     td .chip { margin-right: 0; }
   `,
   ];

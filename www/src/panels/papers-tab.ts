@@ -21,19 +21,51 @@ export abstract class PapersTab<Summary> extends AppElement {
     controls,
     css`
     :host { display: contents; }
-    .tools { display: flex; align-items: center; flex-wrap: wrap; gap: 8px 12px; padding: 0 24px 12px; border-bottom: 1px solid var(--parkade-hair); }
+    .tools {
+      display: flex; align-items: center; flex-wrap: wrap; gap: 8px 12px; padding: 0 24px 12px;
+      border-bottom: 1px solid var(--parkade-hair);
+    }
     .state { display: flex; align-items: center; gap: 8px; color: var(--parkade-t2); min-width: 0; }
-    progress { appearance: none; width: 140px; height: 4px; border: 0; border-radius: 2px; background: var(--parkade-hair2); overflow: hidden; }
-    progress::-webkit-progress-bar { background: var(--parkade-hair2); } progress::-webkit-progress-value { background: var(--parkade-t1); } progress::-moz-progress-bar { background: var(--parkade-t1); }
+    progress {
+      appearance: none; width: 140px; height: 4px; border: 0; border-radius: 2px; background: var(--parkade-hair2);
+      overflow: hidden;
+    }
+    progress::-webkit-progress-bar { background: var(--parkade-hair2); }
+    progress::-webkit-progress-value { background: var(--parkade-t1); }
+    progress::-moz-progress-bar { background: var(--parkade-t1); }
     .copy { margin-left: auto; display: flex; gap: 4px; }
-    .scroll { flex: 1; overflow-y: auto; padding: 14px 24px 24px; overscroll-behavior: contain; } h3 { margin: 18px 0 6px; font: inherit; font-weight: 600; display: flex; gap: 8px; align-items: baseline; flex-wrap: wrap; } h3:first-child { margin-top: 0; } h3 span { font-weight: 400; color: var(--parkade-t2); }
+    .scroll { flex: 1; overflow-y: auto; padding: 14px 24px 24px; overscroll-behavior: contain; }
+    h3 {
+      margin: 18px 0 6px; font: inherit; font-weight: 600; display: flex; gap: 8px; align-items: baseline;
+      flex-wrap: wrap;
+    }
+    h3:first-child { margin-top: 0; }
+    h3 span { font-weight: 400; color: var(--parkade-t2); }
     .wide { overflow-x: auto; } table { border-collapse: collapse; font-size: 12px; line-height: 16px; width: 100%; }
-    th, td { text-align: right; padding: 5px 8px; white-space: nowrap; font-weight: 400; } th:first-child, td:first-child { text-align: left; padding-left: 0; }
-    thead th { color: var(--parkade-t2); } thead .over th { color: var(--parkade-t1); font-weight: 500; padding-bottom: 0; text-align: left; } tbody tr { border-top: 1px solid var(--parkade-hair); }
-    tbody th { font-weight: 500; } .printed { color: var(--parkade-t2); } .first { border-left: 1px solid var(--parkade-hair); padding-left: 14px; } .ours { font-weight: 600; }
-    td .chip { margin-right: 8px; vertical-align: middle; } .note { margin: 4px 0 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
-    .link { border: 0; background: none; padding: 0; margin: 0; min-height: 24px; font: inherit; font-weight: 400; color: var(--parkade-accent); cursor: pointer; text-decoration: underline; } h3 .link { margin-left: 6px; } p .link { margin-left: 4px; } .pictures { display: flex; flex-wrap: wrap; gap: 10px; margin: 8px 0; }
-    @media (max-width: 640px) { .tools { padding: 0 16px 10px; } .scroll { padding: 14px 16px 16px; } .copy { margin-left: 0; } th:first-child { position: sticky; left: 0; background: var(--parkade-raise); padding-right: 12px; } }
+    th, td { text-align: right; padding: 5px 8px; white-space: nowrap; font-weight: 400; }
+    th:first-child, td:first-child { text-align: left; padding-left: 0; }
+    thead th { color: var(--parkade-t2); }
+    thead .over th { color: var(--parkade-t1); font-weight: 500; padding-bottom: 0; text-align: left; }
+    tbody tr { border-top: 1px solid var(--parkade-hair); }
+    tbody th { font-weight: 500; }
+    .printed { color: var(--parkade-t2); }
+    .first { border-left: 1px solid var(--parkade-hair); padding-left: 14px; }
+    .ours { font-weight: 600; }
+    td .chip { margin-right: 8px; vertical-align: middle; }
+    .note { margin: 4px 0 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
+    .link {
+      border: 0; background: none; padding: 0; margin: 0; min-height: 24px; font: inherit; font-weight: 400;
+      color: var(--parkade-accent); cursor: pointer; text-decoration: underline;
+    }
+    h3 .link { margin-left: 6px; }
+    p .link { margin-left: 4px; }
+    .pictures { display: flex; flex-wrap: wrap; gap: 10px; margin: 8px 0; }
+    @media (max-width: 640px) {
+      .tools { padding: 0 16px 10px; }
+      .scroll { padding: 14px 16px 16px; }
+      .copy { margin-left: 0; }
+      th:first-child { position: sticky; left: 0; background: var(--parkade-raise); padding-right: 12px; }
+    }
   `,
   ];
   declare progress: Progress | null;

@@ -23,9 +23,22 @@ export class PapersVolumes extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { display: block; } h3 { margin: 18px 0 6px; font: inherit; font-weight: 600; } p { margin: 0 0 6px; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
-    .both { display: flex; flex-wrap: wrap; gap: 12px 24px; align-items: flex-start; } svg.car { width: 220px; height: 220px; flex: none; } label { display: grid; gap: 4px; width: 220px; font-size: 12px; }
-    .wide { overflow-x: auto; flex: 1; min-width: 0; } table { border-collapse: collapse; font-size: 12px; line-height: 16px; } th, td { text-align: right; padding: 5px 8px; white-space: nowrap; font-weight: 400; } th:first-child, th:nth-child(2) { text-align: left; } .link { border: 0; background: none; padding: 0; min-height: 24px; font: inherit; color: var(--parkade-accent); cursor: pointer; text-decoration: underline; } thead th { color: var(--parkade-t2); } tbody tr { border-top: 1px solid var(--parkade-hair); }
+    :host { display: block; }
+    h3 { margin: 18px 0 6px; font: inherit; font-weight: 600; }
+    p { margin: 0 0 6px; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
+    .both { display: flex; flex-wrap: wrap; gap: 12px 24px; align-items: flex-start; }
+    svg.car { width: 220px; height: 220px; flex: none; }
+    label { display: grid; gap: 4px; width: 220px; font-size: 12px; }
+    .wide { overflow-x: auto; flex: 1; min-width: 0; }
+    table { border-collapse: collapse; font-size: 12px; line-height: 16px; }
+    th, td { text-align: right; padding: 5px 8px; white-space: nowrap; font-weight: 400; }
+    th:first-child, th:nth-child(2) { text-align: left; }
+    .link {
+      border: 0; background: none; padding: 0; min-height: 24px; font: inherit; color: var(--parkade-accent);
+      cursor: pointer; text-decoration: underline;
+    }
+    thead th { color: var(--parkade-t2); }
+    tbody tr { border-top: 1px solid var(--parkade-hair); }
   `,
   ];
   declare heading: number;

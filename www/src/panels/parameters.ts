@@ -32,15 +32,24 @@ export class Parameters extends AppElement {
     css`
     .one { padding: 5px 0; }
     .member { margin: 2px 0 6px; }
-    .narrow { padding: 0; text-align: left; font: inherit; line-height: inherit; height: auto; color: var(--parkade-warn); white-space: normal; }
+    .narrow {
+      padding: 0; text-align: left; font: inherit; line-height: inherit; height: auto; color: var(--parkade-warn);
+      white-space: normal;
+    }
     .name { display: flex; align-items: baseline; gap: 8px; font-size: 12.5px; line-height: 17px; font-weight: 500; }
     .name output, .name .field { margin-left: auto; }
     .name output { font-weight: 400; white-space: nowrap; }
-    .changed::after { content: ""; display: inline-block; width: 5px; height: 5px; margin-left: 6px; border-radius: 50%; background: var(--parkade-accent); vertical-align: 2px; }
+    .changed::after {
+      content: ""; display: inline-block; width: 5px; height: 5px; margin-left: 6px; border-radius: 50%;
+      background: var(--parkade-accent); vertical-align: 2px;
+    }
     .switch { display: flex; align-items: center; gap: 8px; margin: 4px 0; }
     .switch input { accent-color: var(--parkade-accent); margin: 0; }
     .segmented { margin: 4px 0; flex-wrap: wrap; }
-    .range { display: flex; justify-content: space-between; margin-top: -2px; color: var(--parkade-t3); font-size: 12px; line-height: 14px; }
+    .range {
+      display: flex; justify-content: space-between; margin-top: -2px; color: var(--parkade-t3); font-size: 12px;
+      line-height: 14px;
+    }
     .more { margin-top: 6px; }
   `,
   ];

@@ -33,25 +33,52 @@ export class Presets extends DialogElement {
     dialogs,
     css`
     dialog { --dialog-width: 984px; }
-    ul { list-style: none; margin: 0; padding: 0; display: grid; grid-template-columns: repeat(auto-fill, minmax(250px, 1fr)); gap: 16px; }
-    li { display: grid; } li button { flex-direction: column; align-items: stretch; justify-content: flex-start; gap: 0; text-align: left; white-space: normal; border-radius: calc(10px * var(--parkade-radius)); border: 1px solid var(--parkade-hair2); overflow: hidden; background: var(--parkade-panel); }
+    ul {
+      list-style: none; margin: 0; padding: 0; display: grid;
+      grid-template-columns: repeat(auto-fill, minmax(250px, 1fr)); gap: 16px;
+    }
+    li { display: grid; }
+    li button {
+      flex-direction: column; align-items: stretch; justify-content: flex-start; gap: 0; text-align: left;
+      white-space: normal; border-radius: calc(10px * var(--parkade-radius)); border: 1px solid var(--parkade-hair2);
+      overflow: hidden; background: var(--parkade-panel);
+    }
     li button:hover { border-color: var(--parkade-t3); }
     li button[aria-current="true"] { border-color: var(--parkade-accent); box-shadow: 0 0 0 1px var(--parkade-accent); }
     li button:focus-visible { border-radius: calc(10px * var(--parkade-radius)); }
     ul:not(:empty) + parkade-generate { margin-top: 16px; }
     parkade-thumbnail { height: 128px; border-bottom: 1px solid var(--parkade-hair); pointer-events: none; }
-    .new { display: grid; place-items: center; height: 128px; border-bottom: 1px solid var(--parkade-hair); color: var(--parkade-t2); background: linear-gradient(var(--parkade-hair) 1px, transparent 0) center / 16px 16px, linear-gradient(90deg, var(--parkade-hair) 1px, transparent 0) center / 16px 16px; }
+    .new {
+      display: grid; place-items: center; height: 128px; border-bottom: 1px solid var(--parkade-hair);
+      color: var(--parkade-t2);
+      background: linear-gradient(var(--parkade-hair) 1px, transparent 0) center / 16px 16px,
+        linear-gradient(90deg, var(--parkade-hair) 1px, transparent 0) center / 16px 16px;
+    }
     .words { padding: 10px 12px 11px; display: block; }
     b { display: flex; align-items: center; gap: 8px; font-weight: 600; } .by { margin-left: auto; }
-    h3 { margin: 18px 0 8px; font: inherit; font-weight: 600; display: flex; align-items: center; gap: 8px; } h3:first-child { margin-top: 0; }
+    h3 { margin: 18px 0 8px; font: inherit; font-weight: 600; display: flex; align-items: center; gap: 8px; }
+    h3:first-child { margin-top: 0; }
     i { display: block; font-style: normal; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); }
-    small { display: block; margin-top: 2px; min-height: 16px; font-size: 12px; line-height: 16px; color: var(--parkade-t3); }
-    footer { display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px; border-top: 1px solid var(--parkade-hair); }
+    small {
+      display: block; margin-top: 2px; min-height: 16px; font-size: 12px; line-height: 16px; color: var(--parkade-t3);
+    }
+    footer {
+      display: flex; align-items: center; gap: 10px; padding: 12px 16px 12px 24px;
+      border-top: 1px solid var(--parkade-hair);
+    }
     footer p { margin: 0; color: var(--parkade-t2); } footer b { white-space: nowrap; }
     footer .button { margin-left: auto; flex: none; }
     .tables { margin-left: auto; flex: none; } .top .tables + .icon { margin-left: 0; } .top p { min-width: 0; }
-    .groups { padding: 0 24px 14px; } .groups .segmented { max-width: 100%; overflow-x: auto; } .groups button { flex: none; }
-    @media (max-width: 640px) { ul { grid-template-columns: 1fr 1fr; gap: 10px; } parkade-thumbnail, .new { height: 92px; } footer b + p { display: none; } .groups { padding: 0 16px 12px; } .top p { display: none; } }
+    .groups { padding: 0 24px 14px; }
+    .groups .segmented { max-width: 100%; overflow-x: auto; }
+    .groups button { flex: none; }
+    @media (max-width: 640px) {
+      ul { grid-template-columns: 1fr 1fr; gap: 10px; }
+      parkade-thumbnail, .new { height: 92px; }
+      footer b + p { display: none; }
+      .groups { padding: 0 16px 12px; }
+      .top p { display: none; }
+    }
   `,
   ];
   declare group: string;

@@ -29,11 +29,22 @@ export class RoadCard extends AppElement {
     controls,
     sections,
     css`
-    dl { display: grid; grid-template-columns: 1fr auto; gap: 4px 10px; margin: 0; font-size: 12px; line-height: 16px; } dt { color: var(--parkade-t2); } dd { margin: 0; text-align: right; }
-    dl.old { color: var(--parkade-t3); } h3 { margin: 12px 0 4px; font: inherit; font-weight: 500; } dd small { font-size: inherit; color: var(--parkade-t3); }
-    progress { appearance: none; flex: 1; height: 4px; border: 0; border-radius: 2px; background: var(--parkade-hair2); overflow: hidden; min-width: 0; }
-    progress::-webkit-progress-bar { background: var(--parkade-hair2); } progress::-webkit-progress-value { background: var(--parkade-t1); } progress::-moz-progress-bar { background: var(--parkade-t1); }
-    .small { height: 28px; font-size: 12px; } .warn { color: var(--parkade-warn); margin-top: 8px; } .done { margin-top: 8px; color: var(--parkade-t1); }
+    dl { display: grid; grid-template-columns: 1fr auto; gap: 4px 10px; margin: 0; font-size: 12px; line-height: 16px; }
+    dt { color: var(--parkade-t2); }
+    dd { margin: 0; text-align: right; }
+    dl.old { color: var(--parkade-t3); }
+    h3 { margin: 12px 0 4px; font: inherit; font-weight: 500; }
+    dd small { font-size: inherit; color: var(--parkade-t3); }
+    progress {
+      appearance: none; flex: 1; height: 4px; border: 0; border-radius: 2px; background: var(--parkade-hair2);
+      overflow: hidden; min-width: 0;
+    }
+    progress::-webkit-progress-bar { background: var(--parkade-hair2); }
+    progress::-webkit-progress-value { background: var(--parkade-t1); }
+    progress::-moz-progress-bar { background: var(--parkade-t1); }
+    .small { height: 28px; font-size: 12px; }
+    .warn { color: var(--parkade-warn); margin-top: 8px; }
+    .done { margin-top: 8px; color: var(--parkade-t1); }
     @media (pointer: coarse) { .small { min-height: 44px; } }
   `,
   ];

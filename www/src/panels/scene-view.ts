@@ -25,12 +25,29 @@ export class SceneView extends LitElement {
     label: { type: String },
   };
   static override styles = css`
-    :host { display: block; position: relative; min-width: 0; min-height: 0; overflow: hidden; background: var(--parkade-out); contain: strict; }
-    canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; outline: none; user-select: none; -webkit-user-select: none; }
-    .scale { position: absolute; left: var(--scale-inset, 12px); bottom: 9px; display: var(--parkade-scale, flex); align-items: end; gap: 6px; pointer-events: none; font: 12px/12px inherit; font-family: inherit; color: var(--parkade-t3); }
-    .scale::before { content: ""; width: var(--length); height: 5px; border: solid var(--parkade-t1); border-width: 0 1px 1px; box-sizing: border-box; }
+    :host {
+      display: block; position: relative; min-width: 0; min-height: 0; overflow: hidden; background: var(--parkade-out);
+      contain: strict;
+    }
+    canvas {
+      position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; outline: none;
+      user-select: none; -webkit-user-select: none;
+    }
+    .scale {
+      position: absolute; left: var(--scale-inset, 12px); bottom: 9px; display: var(--parkade-scale, flex);
+      align-items: end; gap: 6px; pointer-events: none; font: 12px/12px inherit; font-family: inherit;
+      color: var(--parkade-t3);
+    }
+    .scale::before {
+      content: ""; width: var(--length); height: 5px; border: solid var(--parkade-t1); border-width: 0 1px 1px;
+      box-sizing: border-box;
+    }
     .scale[hidden] { display: none; }
-    .pose { position: absolute; width: 178px; height: 22px; padding: 0 7px; font: 500 12px/20px inherit; font-family: inherit; font-variant-numeric: tabular-nums; color: var(--parkade-t1); background: var(--parkade-panel); border: 1.5px solid var(--parkade-accent); border-radius: calc(5px * var(--parkade-radius)); outline: none; }
+    .pose {
+      position: absolute; width: 178px; height: 22px; padding: 0 7px; font: 500 12px/20px inherit; font-family: inherit;
+      font-variant-numeric: tabular-nums; color: var(--parkade-t1); background: var(--parkade-panel);
+      border: 1.5px solid var(--parkade-accent); border-radius: calc(5px * var(--parkade-radius)); outline: none;
+    }
     .pose[aria-invalid="true"] { border-color: var(--parkade-err); }
     canvas:focus-visible { outline: 2px solid var(--parkade-accent); outline-offset: -2px; }
   `;

@@ -32,10 +32,20 @@ export class SheetDialog extends DialogElement {
     css`
     dialog { --dialog-width: 940px; }
     .split { display: grid; grid-template-columns: minmax(0, 1fr) 260px; gap: 18px; }
-    .sheet { min-width: 0; background: #fff; border: 1px solid var(--parkade-hair2); align-self: start; } .sheet svg { display: block; width: 100%; height: auto; }
-    .side { display: grid; gap: 8px; align-content: start; } label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); } .check { justify-content: start; min-height: 24px; color: var(--parkade-t1); } .check input { accent-color: var(--parkade-accent); margin: 0; }
-    .field { width: 96px; color: var(--parkade-t1); } select { height: 28px; padding: 0 6px; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
-    .files { display: grid; grid-template-columns: 1fr 1fr; gap: 6px; } p { margin: 0; } .fault { color: var(--parkade-err); }
+    .sheet { min-width: 0; background: #fff; border: 1px solid var(--parkade-hair2); align-self: start; }
+    .sheet svg { display: block; width: 100%; height: auto; }
+    .side { display: grid; gap: 8px; align-content: start; }
+    label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); }
+    .check { justify-content: start; min-height: 24px; color: var(--parkade-t1); }
+    .check input { accent-color: var(--parkade-accent); margin: 0; }
+    .field { width: 96px; color: var(--parkade-t1); }
+    select {
+      height: 28px; padding: 0 6px; color: var(--parkade-t1); background: var(--parkade-panel);
+      border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius));
+    }
+    .files { display: grid; grid-template-columns: 1fr 1fr; gap: 6px; }
+    p { margin: 0; }
+    .fault { color: var(--parkade-err); }
     @media (max-width: 640px) { .split { grid-template-columns: minmax(0, 1fr); } }
   `,
   ];

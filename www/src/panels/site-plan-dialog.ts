@@ -43,14 +43,38 @@ export class SitePlanDialog extends DialogElement {
     parkade-site-plan-preview { min-height: 300px; height: 100%; max-height: 560px; }
     .side { display: flex; flex-direction: column; gap: 12px; min-width: 0; min-height: 0; }
     h3 { margin: 0; font: inherit; font-weight: 600; }
-    ul { list-style: none; margin: 0; padding: 0; max-height: 250px; overflow-y: auto; border-block: 1px solid var(--parkade-hair); }
-    li { display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; gap: 2px 8px; padding: 5px 2px; border-bottom: 1px solid var(--parkade-hair); } li:last-child { border: 0; }
-    li span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; } small { color: var(--parkade-t3); font-size: 12px; }
-    select { height: 28px; padding: 0 6px; max-width: 150px; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
-    label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); } .field { width: 112px; color: var(--parkade-t1); }
-    p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; } .fault { color: var(--parkade-err); } .fault::first-letter { text-transform: uppercase; } .solid { width: 100%; }
-    @media (max-width: 640px) { form { grid-template-columns: 1fr; gap: 12px; } parkade-site-plan-preview { min-height: 34vh; height: 34vh; } ul { max-height: 200px; } select { height: 36px; } }
-    @media (max-height: 480px) { form { grid-template-columns: minmax(0, 1fr) 300px; } parkade-site-plan-preview { position: sticky; top: 0; min-height: 0; height: min(250px, 92vh - 120px); } ul { max-height: none; } }
+    ul {
+      list-style: none; margin: 0; padding: 0; max-height: 250px; overflow-y: auto;
+      border-block: 1px solid var(--parkade-hair);
+    }
+    li {
+      display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; gap: 2px 8px; padding: 5px 2px;
+      border-bottom: 1px solid var(--parkade-hair);
+    }
+    li:last-child { border: 0; }
+    li span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+    small { color: var(--parkade-t3); font-size: 12px; }
+    select {
+      height: 28px; padding: 0 6px; max-width: 150px; color: var(--parkade-t1); background: var(--parkade-panel);
+      border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius));
+    }
+    label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); }
+    .field { width: 112px; color: var(--parkade-t1); }
+    p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
+    .fault { color: var(--parkade-err); }
+    .fault::first-letter { text-transform: uppercase; }
+    .solid { width: 100%; }
+    @media (max-width: 640px) {
+      form { grid-template-columns: 1fr; gap: 12px; }
+      parkade-site-plan-preview { min-height: 34vh; height: 34vh; }
+      ul { max-height: 200px; }
+      select { height: 36px; }
+    }
+    @media (max-height: 480px) {
+      form { grid-template-columns: minmax(0, 1fr) 300px; }
+      parkade-site-plan-preview { position: sticky; top: 0; min-height: 0; height: min(250px, 92vh - 120px); }
+      ul { max-height: none; }
+    }
   `,
   ];
   declare plan: SitePlan | null;

@@ -29,7 +29,10 @@ export class SitePlanPreview extends AppElement {
     label: { type: String },
   };
   static override styles = css`
-    :host { position: relative; display: block; min-width: 0; overflow: hidden; background: var(--parkade-out); border-radius: calc(8px * var(--parkade-radius)); }
+    :host {
+      position: relative; display: block; min-width: 0; overflow: hidden; background: var(--parkade-out);
+      border-radius: calc(8px * var(--parkade-radius));
+    }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; cursor: crosshair; touch-action: none; }
   `;
   declare plan: SitePlan | null;

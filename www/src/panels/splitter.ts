@@ -20,11 +20,15 @@ export class Splitter extends LitElement {
   static override properties = { pane: { type: String }, lang: { type: String }, size: { state: true } };
   static override styles = css`
     :host { display: block; position: relative; z-index: 6; touch-action: none; outline: none; }
-    :host([pane="bottom"]) { cursor: ns-resize; height: 9px; margin: -4px 0; } :host(:not([pane="bottom"])) { cursor: ew-resize; width: 9px; margin: 0 -4px; }
+    :host([pane="bottom"]) { cursor: ns-resize; height: 9px; margin: -4px 0; }
+    :host(:not([pane="bottom"])) { cursor: ew-resize; width: 9px; margin: 0 -4px; }
     i { position: absolute; background: transparent; transition: background var(--parkade-fast); }
     :host([pane="bottom"]) i { inset: 3.5px 0; } :host(:not([pane="bottom"])) i { inset: 0 3.5px; }
     :host(:hover) i, :host(:focus-visible) i { background: var(--parkade-accent); }
-    @media (pointer: coarse) { :host([pane="bottom"]) { height: 13px; margin: -6px 0; } :host(:not([pane="bottom"])) { width: 13px; margin: 0 -6px; } }
+    @media (pointer: coarse) {
+      :host([pane="bottom"]) { height: 13px; margin: -6px 0; }
+      :host(:not([pane="bottom"])) { width: 13px; margin: 0 -6px; }
+    }
   `;
   declare pane: Pane;
   declare lang: Lang;

@@ -25,36 +25,72 @@ export class Stage extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { --parkade-buttons: 60px; display: block; position: relative; min-height: 0; min-width: 0; overflow: hidden; background: var(--parkade-hair); }
+    :host {
+      --parkade-buttons: 60px; display: block; position: relative; min-height: 0; min-width: 0; overflow: hidden;
+      background: var(--parkade-hair);
+    }
     @media (pointer: coarse) { :host { --parkade-buttons: 78px; } }
-    .grid { position: absolute; inset: 0; display: grid; gap: 1px; grid-auto-rows: 1fr; grid-template-columns: repeat(4, 1fr); }
+    .grid {
+      position: absolute; inset: 0; display: grid; gap: 1px; grid-auto-rows: 1fr; grid-template-columns: repeat(4, 1fr);
+    }
     .grid[data-n="1"] { grid-template-columns: 1fr; }
     .grid[data-n="2"], .grid[data-n="4"], .grid[data-n="3"] { grid-template-columns: 1fr 1fr; }
     .grid[data-n="5"], .grid[data-n="6"], .grid[data-n="9"] { grid-template-columns: repeat(3, 1fr); }
     /* The view's buttons stand over the corners that meet in the middle of the last row. */
-    .grid[data-n="2"] > :first-child, .grid[data-n="3"] > :last-child, .grid[data-n="4"] > :nth-child(3) { --legend-inset: var(--parkade-buttons); }
+    .grid[data-n="2"] > :first-child, .grid[data-n="3"] > :last-child, .grid[data-n="4"] > :nth-child(3) {
+      --legend-inset: var(--parkade-buttons);
+    }
     .grid[data-n="2"] > :last-child, .grid[data-n="4"] > :last-child { --scale-inset: var(--parkade-buttons); }
-    .focus { position: absolute; inset: 0; display: grid; gap: 1px; grid-template-columns: 1fr minmax(150px, 22%); grid-template-rows: repeat(var(--thumbs, 3), 1fr); }
+    .focus {
+      position: absolute; inset: 0; display: grid; gap: 1px; grid-template-columns: 1fr minmax(150px, 22%);
+      grid-template-rows: repeat(var(--thumbs, 3), 1fr);
+    }
     .focus > .large { grid-row: 1 / -1; grid-column: 1; }
     .focus > :not(.large) { grid-column: 2; }
     .one { position: absolute; inset: 0; background: var(--parkade-panel); }
     .one parkade-scene-view { position: absolute; inset: 0; }
     parkade-failure { position: absolute; inset: 0 0 auto; }
-    .legend { position: absolute; right: 10px; bottom: 10px; max-width: 340px; max-height: ${unsafeCSS(LEGEND.rows * LEGEND.row + LEGEND.edge)}px; padding: 5px; overflow: hidden auto; scrollbar-width: thin; font-size: 12px; line-height: 16px; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
-    .legend button { display: grid; grid-template-columns: 14px 30px 1fr auto auto; gap: 6px; width: 100%; height: ${unsafeCSS(LEGEND.row)}px; padding: 0 6px; text-align: left; align-items: center; border: 1px solid transparent; }
+    .legend {
+      position: absolute; right: 10px; bottom: 10px; max-width: 340px;
+      max-height: ${unsafeCSS(LEGEND.rows * LEGEND.row + LEGEND.edge)}px; padding: 5px; overflow: hidden auto;
+      scrollbar-width: thin; font-size: 12px; line-height: 16px;
+      background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
+      border-radius: calc(8px * var(--parkade-radius));
+    }
+    .legend button {
+      display: grid; grid-template-columns: 14px 30px 1fr auto auto; gap: 6px; width: 100%;
+      height: ${unsafeCSS(LEGEND.row)}px; padding: 0 6px; text-align: left; align-items: center;
+      border: 1px solid transparent;
+    }
     .legend button[aria-pressed="true"] { border-color: var(--parkade-hair2); background: var(--parkade-panel); }
     .legend b { font-weight: 600; }
     .legend .ms { color: var(--parkade-t2); text-align: right; padding-left: 12px; }
     .err { color: var(--parkade-err); } .warn { color: var(--parkade-warn); }
     .legend .off { color: var(--parkade-t3); }
-    .title { position: absolute; left: 10px; top: 10px; display: flex; align-items: center; gap: 8px; height: 28px; padding: 0 10px; pointer-events: none; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); font-weight: 600; }
+    .title {
+      position: absolute; left: 10px; top: 10px; display: flex; align-items: center; gap: 8px; height: 28px;
+      padding: 0 10px; pointer-events: none; background: color-mix(in srgb, var(--parkade-panel) 94%, transparent);
+      border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); font-weight: 600;
+    }
     .title span { font-weight: 400; color: var(--parkade-t2); }
-    .readout { position: absolute; left: 10px; bottom: 30px; max-width: calc(100% - 40px); display: flex; flex-wrap: wrap; gap: 0 10px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
-    .weights { position: absolute; left: 10px; bottom: 30px; display: flex; align-items: center; gap: 6px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); }
+    .readout {
+      position: absolute; left: 10px; bottom: 30px; max-width: calc(100% - 40px); display: flex; flex-wrap: wrap;
+      gap: 0 10px; padding: 4px 10px; pointer-events: none; font-size: 12px; line-height: 18px;
+      color: var(--parkade-t2); background: color-mix(in srgb, var(--parkade-panel) 94%, transparent);
+      border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius));
+    }
+    .weights {
+      position: absolute; left: 10px; bottom: 30px; display: flex; align-items: center; gap: 6px; padding: 4px 10px;
+      pointer-events: none; font-size: 12px; line-height: 18px; color: var(--parkade-t2);
+      background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
+      border-radius: calc(8px * var(--parkade-radius));
+    }
     .weights i { width: 18px; height: 14px; border: 1px solid var(--parkade-warn); }
     :host([compact]) .weights { left: auto; right: 10px; bottom: auto; top: 60px; }
     .readout b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
-    :host([compact]) .title { pointer-events: auto; touch-action: none; user-select: none; -webkit-user-select: none; cursor: ew-resize; }
+    :host([compact]) .title {
+      pointer-events: auto; touch-action: none; user-select: none; -webkit-user-select: none; cursor: ew-resize;
+    }
   `,
   ];
   declare compact: boolean;

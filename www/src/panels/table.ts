@@ -26,7 +26,10 @@ export class MetricsTable extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { display: grid; grid-template: minmax(0, 1fr) auto / minmax(0, 1fr); min-width: 0; min-height: 0; background: var(--parkade-panel); font-size: 12px; line-height: 16px; container-type: inline-size; }
+    :host {
+      display: grid; grid-template: minmax(0, 1fr) auto / minmax(0, 1fr); min-width: 0; min-height: 0;
+      background: var(--parkade-panel); font-size: 12px; line-height: 16px; container-type: inline-size;
+    }
     .scroll { overflow: auto; min-height: 0; }
     table { border-collapse: collapse; width: 100%; }
     th, td { padding: 0 8px; text-align: right; white-space: nowrap; font-weight: 400; }
@@ -44,7 +47,10 @@ export class MetricsTable extends AppElement {
     td.warn { color: var(--parkade-t1); }
     td.best { font-weight: 650; color: var(--parkade-t1); }
     .star { font-size: 10px; line-height: 0; margin-right: 3px; }
-    footer { display: flex; align-items: center; gap: 14px; height: 34px; padding: 0 14px; border-top: 1px solid var(--parkade-hair); color: var(--parkade-t2); }
+    footer {
+      display: flex; align-items: center; gap: 14px; height: 34px; padding: 0 14px;
+      border-top: 1px solid var(--parkade-hair); color: var(--parkade-t2);
+    }
     footer > span:first-child { flex: 1; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
     footer .end { display: flex; gap: 4px; flex: none; position: relative; }
     footer .button { height: 26px; font-size: 12px; min-height: 0; color: var(--parkade-t1); }

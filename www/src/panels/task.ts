@@ -23,10 +23,20 @@ export class TaskCard extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { grid-area: stage; align-self: start; justify-self: start; z-index: 14; margin: 44px 12px 12px; max-width: min(440px, 90cqw); padding: 12px 14px; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float); }
-    header { display: flex; align-items: start; gap: 8px; } p { margin: 0; flex: 1; font-size: 15px; line-height: 22px; white-space: pre-wrap; overflow-wrap: anywhere; }
-    .large p { font-size: 22px; line-height: 31px; } footer { display: flex; align-items: center; gap: 10px; margin-top: 10px; }
-    small { color: var(--parkade-t3); font-size: 12px; line-height: 16px; } .large small { font-size: 15px; line-height: 20px; } .large .button { height: 40px; font-size: 17px; } .icon { margin: -6px -8px 0 0; }
+    :host {
+      grid-area: stage; align-self: start; justify-self: start; z-index: 14; margin: 44px 12px 12px;
+      max-width: min(440px, 90cqw); padding: 12px 14px; background: var(--parkade-panel);
+      border: 1px solid var(--parkade-hair2); border-radius: calc(10px * var(--parkade-radius));
+      box-shadow: var(--parkade-float);
+    }
+    header { display: flex; align-items: start; gap: 8px; }
+    p { margin: 0; flex: 1; font-size: 15px; line-height: 22px; white-space: pre-wrap; overflow-wrap: anywhere; }
+    .large p { font-size: 22px; line-height: 31px; }
+    footer { display: flex; align-items: center; gap: 10px; margin-top: 10px; }
+    small { color: var(--parkade-t3); font-size: 12px; line-height: 16px; }
+    .large small { font-size: 15px; line-height: 20px; }
+    .large .button { height: 40px; font-size: 17px; }
+    .icon { margin: -6px -8px 0 0; }
   `,
   ];
   declare task: Task;
@@ -92,8 +102,15 @@ export class TaskDialog extends DialogElement {
     dialogs,
     css`
     dialog { --dialog-width: 480px; }
-    form { padding: 0 24px 20px; } textarea { width: 100%; height: 110px; padding: 8px; font: inherit; color: inherit; resize: vertical; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
-    label { display: flex; align-items: center; gap: 8px; min-height: 32px; } footer { display: flex; align-items: center; gap: 12px; margin-top: 10px; } footer p { flex: 1; margin: 0; color: var(--parkade-t2); }
+    form { padding: 0 24px 20px; }
+    textarea {
+      width: 100%; height: 110px; padding: 8px; font: inherit; color: inherit; resize: vertical;
+      background: var(--parkade-panel); border: 1px solid var(--parkade-hair2);
+      border-radius: calc(6px * var(--parkade-radius));
+    }
+    label { display: flex; align-items: center; gap: 8px; min-height: 32px; }
+    footer { display: flex; align-items: center; gap: 12px; margin-top: 10px; }
+    footer p { flex: 1; margin: 0; color: var(--parkade-t2); }
     @media (pointer: coarse) { label { min-height: 44px; } }
   `,
   ];

@@ -21,7 +21,10 @@ export class Timeline extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-top: 1px solid var(--parkade-hair); }
+    :host {
+      display: block; container-type: inline-size; background: var(--parkade-panel);
+      border-top: 1px solid var(--parkade-hair);
+    }
     .row { display: flex; align-items: center; height: 43px; padding: 0 14px 0 10px; gap: 2px; }
     .segmented { margin: 0 16px 0 14px; flex: none; }
     .track { position: relative; container-type: inline-size; flex: 1; height: 32px; min-width: 60px; }
@@ -33,13 +36,23 @@ export class Timeline extends AppElement {
     .rail { stroke: var(--parkade-hair2); stroke-width: 2; }
     .done { stroke: var(--parkade-t1); stroke-width: 2; }
     .reverse { stroke: var(--parkade-t1); stroke-width: 3; stroke-dasharray: 0.1 5; stroke-linecap: round; }
-    .track .diamond { position: absolute; top: 50%; left: 0; width: 10px; height: 10px; margin: -5px 0 0 -5px; pointer-events: none; overflow: visible; }
+    .track .diamond {
+      position: absolute; top: 50%; left: 0; width: 10px; height: 10px; margin: -5px 0 0 -5px; pointer-events: none;
+      overflow: visible;
+    }
     .diamond path { fill: #fff; stroke: #1b1d20; stroke-width: 1.25; }
     .now { margin-left: 16px; white-space: nowrap; min-width: 96px; text-align: left; }
-    select { appearance: none; border: 0; background: none; height: 32px; padding: 0 8px; font-weight: 500; cursor: pointer; border-radius: calc(6px * var(--parkade-radius)); }
+    select {
+      appearance: none; border: 0; background: none; height: 32px; padding: 0 8px; font-weight: 500; cursor: pointer;
+      border-radius: calc(6px * var(--parkade-radius));
+    }
     select:hover { background: var(--parkade-hover); }
     option { background: var(--parkade-raise); color: var(--parkade-t1); }
-    @media (forced-colors: active) { :is(.rail, .done, .reverse) { stroke: CanvasText; } .done { stroke: Highlight; } .slider::-webkit-slider-runnable-track { background: none; } }
+    @media (forced-colors: active) {
+      :is(.rail, .done, .reverse) { stroke: CanvasText; }
+      .done { stroke: Highlight; }
+      .slider::-webkit-slider-runnable-track { background: none; }
+    }
     .up svg { transform: scaleY(-1); }
     .on { color: var(--parkade-accent); }
     @container (max-width: 700px) { .unit { display: none; } .segmented { margin: 0 8px; } }

@@ -36,19 +36,31 @@ export class Toolbar extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { display: block; container-type: inline-size; background: var(--parkade-panel); border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20; }
+    :host {
+      display: block; container-type: inline-size; background: var(--parkade-panel);
+      border-bottom: 1px solid var(--parkade-hair); position: relative; z-index: 20;
+    }
     .bar { display: flex; align-items: center; height: 48px; padding: 0 12px; gap: 5px; }
-    .brand { display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650; margin: 0 8px 0 0; }
+    .brand {
+      display: flex; align-items: center; gap: 8px; font-size: 14px; line-height: 18px; font-weight: 650;
+      margin: 0 8px 0 0;
+    }
     .scene { flex: none; min-width: 140px; max-width: 240px; justify-content: space-between; }
     .scene span { overflow: hidden; text-overflow: ellipsis; font-weight: 500; }
     .scene svg, .menu svg:last-child { color: var(--parkade-t2); }
     .rule { width: 1px; height: 20px; background: var(--parkade-hair); margin: 0 3px; flex: none; }
     .tools { display: flex; gap: 2px; }
     .tool { position: relative; width: 32px; height: 34px; color: var(--parkade-t1); padding-right: 5px; }
-    .tool kbd { position: absolute; right: 3px; bottom: 1px; font: inherit; font-size: 12px; line-height: 14px; color: var(--parkade-t3); }
+    .tool kbd {
+      position: absolute; right: 3px; bottom: 1px; font: inherit; font-size: 12px; line-height: 14px;
+      color: var(--parkade-t3);
+    }
     .tool:hover { background: var(--parkade-hover); }
     .tool:active { background: var(--parkade-press); }
-    .tool[aria-pressed="true"] { background: var(--parkade-accent-soft); color: var(--parkade-accent); box-shadow: inset 0 0 0 1px var(--parkade-accent); }
+    .tool[aria-pressed="true"] {
+      background: var(--parkade-accent-soft); color: var(--parkade-accent);
+      box-shadow: inset 0 0 0 1px var(--parkade-accent);
+    }
     .tool[aria-pressed="true"] kbd { color: var(--parkade-accent); }
     .end { margin-left: auto; display: flex; align-items: center; gap: 4px; flex: none; }
     .modes button { padding: 0 8px; }
@@ -56,7 +68,10 @@ export class Toolbar extends AppElement {
     .popover { max-height: min(100vh - 72px, 100cqh - 54px); overflow-y: auto; }
     .popover .segmented { display: flex; margin: 2px 4px 6px; }
     .popover .segmented button { flex: 1; }
-    .check { display: flex; align-items: center; gap: 10px; min-height: 28px; padding: 0 10px; border-radius: calc(6px * var(--parkade-radius)); cursor: pointer; }
+    .check {
+      display: flex; align-items: center; gap: 10px; min-height: 28px; padding: 0 10px;
+      border-radius: calc(6px * var(--parkade-radius)); cursor: pointer;
+    }
     .check:hover { background: var(--parkade-hover); }
     .check input { accent-color: var(--parkade-accent); margin: 0; width: 14px; height: 14px; }
     .lang { padding: 0 8px; color: var(--parkade-t3); font-weight: 400; }
@@ -69,13 +84,36 @@ export class Toolbar extends AppElement {
     @container (max-width: 1370px) { .tool { width: 30px; padding-right: 6px; } .tools { gap: 0; } }
     @container (max-width: 1330px) { .label { display: none; } }
     @container (max-width: 1300px) { .bays { display: none; } }
-    @container (max-width: 1279px) { .scene { flex: 0 1 140px; min-width: 64px; } .tools { gap: 2px; } .tool { width: 32px; } }
-    @container (max-width: 1230px) { .tool { padding: 0; } .tool kbd, .brand span { display: none; } .bar { gap: 4px; padding: 0 10px; } .rule { margin: 0 2px; } }
-    @container (max-width: 1140px) { .collapse-1 { display: none; } .collapsed-1 { display: flex; } .tool { width: 28px; } }
+    @container (max-width: 1279px) {
+      .scene { flex: 0 1 140px; min-width: 64px; }
+      .tools { gap: 2px; }
+      .tool { width: 32px; }
+    }
+    @container (max-width: 1230px) {
+      .tool { padding: 0; }
+      .tool kbd, .brand span { display: none; }
+      .bar { gap: 4px; padding: 0 10px; }
+      .rule { margin: 0 2px; }
+    }
+    @container (max-width: 1140px) {
+      .collapse-1 { display: none; }
+      .collapsed-1 { display: flex; }
+      .tool { width: 28px; }
+    }
     @container (max-width: 960px) { .inspect { display: inline-flex; } }
     @container (max-width: 925px) { .collapse-2 { display: none; } }
-    @container (max-width: 830px) { .brand, .rule { display: none; } .tools { gap: 0; } .tool { width: 25px; } .modes button { padding: 0 5px; } }
-    @container (max-width: 700px) { .tool { width: 24px; } .modes button { padding: 0 4px; } .bar { gap: 2px; } .icon { flex: none; } }
+    @container (max-width: 830px) {
+      .brand, .rule { display: none; }
+      .tools { gap: 0; }
+      .tool { width: 25px; }
+      .modes button { padding: 0 5px; }
+    }
+    @container (max-width: 700px) {
+      .tool { width: 24px; }
+      .modes button { padding: 0 4px; }
+      .bar { gap: 2px; }
+      .icon { flex: none; }
+    }
     :host([compact]) .bar { height: 44px; padding: 0 4px 0 6px; gap: 0; }
     :host([rail]) { border: 0; border-right: 1px solid var(--parkade-hair); container-type: normal; }
     :host([rail]) :is(.bar, .tools) { flex-direction: column; gap: 0; padding: 0; }
@@ -83,7 +121,9 @@ export class Toolbar extends AppElement {
     :host([rail]) .tools { flex: 1; min-height: 0; width: 100%; overflow-y: auto; scrollbar-width: none; }
     :host([rail]) .tool { flex: none; width: 48px; height: 44px; padding: 0; } :host([rail]) kbd { display: none; }
     :host([rail]) .popover { max-height: calc(100cqh - 8px); }
-    :host([compact]) .scene { border: 0; background: none; font-weight: 600; flex: none; max-width: 230px; height: 44px; }
+    :host([compact]) .scene {
+      border: 0; background: none; font-weight: 600; flex: none; max-width: 230px; height: 44px;
+    }
   `,
   ];
   declare compact: boolean;

@@ -23,8 +23,15 @@ export class TrajectoryCard extends AppElement {
     controls,
     sections,
     css`
-    label { display: flex; align-items: center; gap: 8px; } label input { accent-color: var(--parkade-accent); margin: 0; }
-    dl { display: grid; grid-template-columns: 1fr auto; gap: 4px 10px; margin: 8px 0 0; font-size: 12px; line-height: 16px; } dt { color: var(--parkade-t2); } dd { margin: 0; text-align: right; } dd small { font-size: inherit; color: var(--parkade-t3); }
+    label { display: flex; align-items: center; gap: 8px; }
+    label input { accent-color: var(--parkade-accent); margin: 0; }
+    dl {
+      display: grid; grid-template-columns: 1fr auto; gap: 4px 10px; margin: 8px 0 0; font-size: 12px;
+      line-height: 16px;
+    }
+    dt { color: var(--parkade-t2); }
+    dd { margin: 0; text-align: right; }
+    dd small { font-size: inherit; color: var(--parkade-t3); }
     .warn { color: var(--parkade-warn); }
     @media (pointer: coarse) { label { min-height: 44px; } }
   `,

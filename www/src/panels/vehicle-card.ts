@@ -16,8 +16,14 @@ export class VehicleCard extends AppElement {
     .facts { display: grid; font-size: 12px; line-height: 17px; }
     .facts span + span { color: var(--parkade-t2); }
     svg { overflow: visible; }
-    .edit { justify-self: start; height: 24px; margin-left: -8px; padding: 0 8px; font-size: 12px; color: var(--parkade-accent); }
-    select { appearance: none; border: 0; background: none; cursor: pointer; padding: 2px 6px; margin-right: -6px; border-radius: calc(6px * var(--parkade-radius)); color: var(--parkade-t2); text-align: right; }
+    .edit {
+      justify-self: start; height: 24px; margin-left: -8px; padding: 0 8px; font-size: 12px;
+      color: var(--parkade-accent);
+    }
+    select {
+      appearance: none; border: 0; background: none; cursor: pointer; padding: 2px 6px; margin-right: -6px;
+      border-radius: calc(6px * var(--parkade-radius)); color: var(--parkade-t2); text-align: right;
+    }
     select:hover { background: var(--parkade-hover); color: var(--parkade-t1); }
     option { background: var(--parkade-raise); color: var(--parkade-t1); }
     @media (pointer: coarse) { select { min-height: 44px; } }

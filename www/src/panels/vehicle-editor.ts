@@ -34,10 +34,21 @@ export class VehicleEditor extends DialogElement {
     css`
     dialog { --dialog-width: 720px; }
     form { display: grid; grid-template-columns: minmax(0, 1fr) 290px; gap: 18px; }
-    svg { width: 100%; height: 320px; background: var(--parkade-floor); border: 1px solid var(--parkade-hair); border-radius: calc(8px * var(--parkade-radius)); color: var(--parkade-t1); }
-    .side { display: grid; gap: 8px; align-content: start; } label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); } .field { width: 96px; color: var(--parkade-t1); flex: none; }
-    select { min-width: 0; max-width: 170px; height: 28px; padding: 0 4px; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); }
-    p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; } .fault { color: var(--parkade-err); } .solid { width: 100%; }
+    svg {
+      width: 100%; height: 320px; background: var(--parkade-floor); border: 1px solid var(--parkade-hair);
+      border-radius: calc(8px * var(--parkade-radius)); color: var(--parkade-t1);
+    }
+    .side { display: grid; gap: 8px; align-content: start; }
+    label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); }
+    .field { width: 96px; color: var(--parkade-t1); flex: none; }
+    select {
+      min-width: 0; max-width: 170px; height: 28px; padding: 0 4px; color: var(--parkade-t1);
+      background: var(--parkade-panel); border: 1px solid var(--parkade-hair2);
+      border-radius: calc(6px * var(--parkade-radius));
+    }
+    p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
+    .fault { color: var(--parkade-err); }
+    .solid { width: 100%; }
     @media (max-width: 640px) { form { grid-template-columns: minmax(0, 1fr); } svg { height: 200px; } }
   `,
   ];

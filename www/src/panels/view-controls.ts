@@ -13,17 +13,30 @@ export class ViewControls extends AppElement {
   static override styles = [
     controls,
     css`
-    :host { position: absolute; left: 0; right: 0; bottom: 8px; z-index: 4; display: grid; justify-items: center; gap: 8px; pointer-events: none; container-type: inline-size; }
-    div { display: flex; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius)); overflow: hidden; pointer-events: auto; }
+    :host {
+      position: absolute; left: 0; right: 0; bottom: 8px; z-index: 4; display: grid; justify-items: center; gap: 8px;
+      pointer-events: none; container-type: inline-size;
+    }
+    div {
+      display: flex; background: var(--parkade-panel); border: 1px solid var(--parkade-hair2);
+      border-radius: calc(6px * var(--parkade-radius)); overflow: hidden; pointer-events: auto;
+    }
     div > * + * { border-left: 1px solid var(--parkade-hair); }
     div button { width: 32px; height: 32px; border-radius: 0; color: var(--parkade-t2); font-size: 16px; }
     div button:focus-visible { outline-offset: -2px; }
     button:hover { background: var(--parkade-hover); color: var(--parkade-t1); }
-    .pill { height: 24px; padding: 0 10px; font-size: 12px; font-weight: 500; pointer-events: auto; color: var(--parkade-t1); background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: 999px; }
+    .pill {
+      height: 24px; padding: 0 10px; font-size: 12px; font-weight: 500; pointer-events: auto; color: var(--parkade-t1);
+      background: var(--parkade-panel); border: 1px solid var(--parkade-hair2); border-radius: 999px;
+    }
     /* On a narrow map the list of planners reaches the middle: above it there is room. */
-    @container (max-width: 840px) { :host([listed]) :is(div, .pill) { justify-self: end; margin-right: 10px; } :host([listed]) div { margin-bottom: var(--list); } }
+    @container (max-width: 840px) {
+      :host([listed]) :is(div, .pill) { justify-self: end; margin-right: 10px; }
+      :host([listed]) div { margin-bottom: var(--list); }
+    }
     /* Fingers zoom by themselves, and a narrow map has no room to spare. */
-    :host([compact]) { justify-items: end; inset: 8px 8px auto auto; } :host([compact]) div button:not(.fit) { display: none; }
+    :host([compact]) { justify-items: end; inset: 8px 8px auto auto; }
+    :host([compact]) div button:not(.fit) { display: none; }
     @media (pointer: coarse) { div button { width: 44px; height: 44px; } .pill { height: 44px; } }
   `,
   ];

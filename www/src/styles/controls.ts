@@ -6,7 +6,9 @@ export const controls = css`
   [hidden] { display: none !important; }
   :host { font-variant-numeric: tabular-nums; }
   :focus { outline: none; }
-  :focus-visible { outline: 2px solid var(--parkade-accent); outline-offset: 2px; border-radius: calc(6px * var(--parkade-radius)); }
+  :focus-visible {
+    outline: 2px solid var(--parkade-accent); outline-offset: 2px; border-radius: calc(6px * var(--parkade-radius));
+  }
   svg { display: block; flex: none; }
   svg .fill { fill: currentColor; }
   .sr {
@@ -33,18 +35,23 @@ export const controls = css`
   .link { color: var(--parkade-t2); height: 24px; padding: 0 6px; margin: 0 -6px; }
   .link:hover:enabled { color: var(--parkade-t1); background: var(--parkade-hover); }
 
-  .segmented { display: inline-flex; padding: 2px; gap: 0; background: var(--parkade-hover); border-radius: calc(6px * var(--parkade-radius)); }
+  .segmented {
+    display: inline-flex; padding: 2px; gap: 0; background: var(--parkade-hover);
+    border-radius: calc(6px * var(--parkade-radius));
+  }
   .segmented button {
     height: 24px; padding: 0 10px; border-radius: calc(4px * var(--parkade-radius)); color: var(--parkade-t2);
     font-weight: 500; border: 1px solid transparent;
   }
   .segmented button:hover { color: var(--parkade-t1); }
-  .segmented button[aria-pressed="true"], .segmented button[aria-checked="true"], .segmented button[aria-selected="true"] {
+  .segmented button[aria-pressed="true"], .segmented button[aria-checked="true"],
+  .segmented button[aria-selected="true"] {
     background: var(--parkade-raise); color: var(--parkade-t1); border-color: var(--parkade-hair2);
   }
 
   .chip {
-    display: inline-flex; align-items: center; gap: 5px; height: 20px; padding: 0 8px; border-radius: 999px; min-width: 0;
+    display: inline-flex; align-items: center; gap: 5px; height: 20px; padding: 0 8px; border-radius: 999px;
+    min-width: 0;
     font-size: 12px; line-height: 16px; font-weight: 500; background: var(--parkade-hover); color: var(--parkade-t1);
   }
   .chip > span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
@@ -68,13 +75,17 @@ export const controls = css`
   .keys { color: var(--parkade-t3); font-size: 12px; line-height: 16px; }
 
   .popover {
-    position: fixed; inset: auto; margin: 0; min-width: 200px; max-height: calc(100vh - 64px); max-height: calc(100dvh - 64px); overflow-y: auto; padding: 6px; background: var(--parkade-raise); color: var(--parkade-t1);
-    border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius)); box-shadow: var(--parkade-float);
+    position: fixed; inset: auto; margin: 0; min-width: 200px; max-height: calc(100vh - 64px);
+    max-height: calc(100dvh - 64px); overflow-y: auto; padding: 6px; background: var(--parkade-raise);
+    color: var(--parkade-t1);
+    border: 1px solid var(--parkade-hair); border-radius: calc(10px * var(--parkade-radius));
+    box-shadow: var(--parkade-float);
     animation: appear var(--parkade-mid) var(--parkade-ease);
   }
   @keyframes appear { from { opacity: 0; transform: translateY(-4px); } }
   .popover .item {
-    display: flex; width: 100%; justify-content: flex-start; gap: 10px; min-height: 32px; padding: 0 10px; text-align: left;
+    display: flex; width: 100%; justify-content: flex-start; gap: 10px; min-height: 32px; padding: 0 10px;
+    text-align: left;
   }
   .popover .item:hover:enabled, .popover .item:focus-visible { background: var(--parkade-hover); }
   .popover .item > .keys { margin-left: auto; }
@@ -82,7 +93,10 @@ export const controls = css`
   .popover hr { border: 0; border-top: 1px solid var(--parkade-hair); margin: 6px 0; }
   .popover h3 { margin: 6px 10px 4px; font-size: 12px; line-height: 16px; font-weight: 500; color: var(--parkade-t3); }
 
-  .slider { position: relative; display: block; width: 100%; height: 20px; margin: 0; appearance: none; background: none; cursor: pointer; }
+  .slider {
+    position: relative; display: block; width: 100%; height: 20px; margin: 0; appearance: none; background: none;
+    cursor: pointer;
+  }
   .slider::-webkit-slider-runnable-track {
     height: 2px; border-radius: 1px;
     background: linear-gradient(to right, var(--parkade-t1) var(--at, 0%), var(--parkade-hair2) var(--at, 0%));
@@ -94,7 +108,8 @@ export const controls = css`
     border: 1.25px solid var(--parkade-t1);
   }
   .slider::-moz-range-thumb {
-    width: 12px; height: 12px; border-radius: 50%; background: var(--parkade-panel); border: 1.25px solid var(--parkade-t1);
+    width: 12px; height: 12px; border-radius: 50%; background: var(--parkade-panel);
+    border: 1.25px solid var(--parkade-t1);
   }
   .slider:active::-webkit-slider-thumb { border-color: var(--parkade-accent); border-width: 2px; }
 
@@ -108,6 +123,8 @@ export const controls = css`
     .slider::-moz-range-track { background: CanvasText; }
     .slider::-webkit-slider-thumb { background: Canvas; border: 2px solid CanvasText; }
     .slider:focus-visible::-webkit-slider-thumb { border-color: Highlight; }
-    button[aria-pressed="true"], button[aria-checked="true"] { forced-color-adjust: none; background: Highlight; color: HighlightText; }
+    button[aria-pressed="true"], button[aria-checked="true"] {
+      forced-color-adjust: none; background: Highlight; color: HighlightText;
+    }
   }
 `;
