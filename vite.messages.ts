@@ -4,7 +4,9 @@ import type { Plugin } from "vite";
 
 type Messages = Record<string, [en: string, zh: string]>;
 
-/** Leaves the English of the page's messages where it is imported, and puts the Chinese of all into the file of reasons. */
+/**
+ * Leaves the English of the page's messages where it is imported, and puts the Chinese of all into the file of reasons.
+ */
 export function messages(i18n: string): Plugin {
   const folder = join(i18n, "messages");
   const read = (file: string): Messages => JSON.parse(readFileSync(file, "utf8")) as Messages;

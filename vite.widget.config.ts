@@ -5,8 +5,8 @@ import base from "./vite.config";
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /**
- * A notebook has no folder to fetch from: the page is one script, the workers' is another, and the module comes as bytes. What
- * the page would name by an address, `globalThis.parkadeAddresses` names.
+ * A notebook has no folder to fetch from: the page is one script, the workers' is another, and the module comes as
+ * bytes. What the page would name by an address, `globalThis.parkadeAddresses` names.
  */
 const CHANGES: Record<string, [from: string, to: string][]> = {
   "www/src/element/loader.ts": [

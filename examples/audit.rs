@@ -1,6 +1,7 @@
 //! Audits of drawn lots: how long they take, what they find, and the standards' smallest bays and aisles.
 //!
-//! `cargo run --release --example audit -- lots [FROM TO] [threads]`, `… -- presets [threads] [ID]`, `… -- goals [seeds] [threads]`, `… -- standards`
+//! `cargo run --release --example audit -- lots [FROM TO] [threads]`, `… -- presets [threads] [ID]`,
+//! `… -- goals [seeds] [threads]`, `… -- standards`
 
 use std::ops::ControlFlow;
 use std::time::Instant;

@@ -1,4 +1,5 @@
-//! Recordings of the planners without an open list, RRT and the genetic algorithm, against their own events and the map.
+//! Recordings of the planners without an open list, RRT and the genetic algorithm, against their own events and the
+//! map.
 
 mod random_maps;
 

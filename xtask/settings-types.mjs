@@ -61,7 +61,8 @@ function familySettings(family, members) {
 }
 
 /**
- * The name of a planner's settings: its family's where they are all the same, else the first planner's with the same ones.
+ * The name of a planner's settings: its family's where they are all the same, else the first planner's with the same
+ * ones.
  * @param {PlannerInfo} planner
  * @param {PlannerInfo[]} all
  */

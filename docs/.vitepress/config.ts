@@ -53,8 +53,8 @@ const SEARCH_IN_CHINESE = {
 const version = /^version = "(.+)"$/m.exec(readFileSync(new URL("../../Cargo.toml", import.meta.url), "utf8"))![1]!;
 
 /**
- * Terms of a text, for index and query alike. Chinese has no spaces between words: two neighbouring characters are a term.
- * The browser gets this function as text, so it uses nothing from outside.
+ * Terms of a text, for index and query alike. Chinese has no spaces between words: two neighbouring characters are a
+ * term. The browser gets this function as text, so it uses nothing from outside.
  */
 const tokenize = (text: string): string[] =>
   (text.match(/\p{Script=Han}+|[^\s\p{P}\p{S}\p{Script=Han}]+/gu) ?? []).flatMap((word) =>

@@ -4,7 +4,10 @@ import { syllable } from "syllable";
 
 const WORDS = new Intl.Segmenter("en", { granularity: "word" });
 
-/** The prose of a Markdown page: without code, formulas, numbers, tables, tags and frontmatter; with the texts of figures. */
+/**
+ * The prose of a Markdown page: without code, formulas, numbers, tables, tags and frontmatter; with the texts of
+ * figures.
+ */
 export function proseOf(markdown: string): string[] {
   const texts = [...markdown.matchAll(/ (?:task|answer)="([^"]*)"/g)].map(([, text]) => text!);
   const plain = markdown

@@ -1,5 +1,6 @@
 // @ts-check
-// The API over the raw wasm exports; `index.d.ts` documents it. Only what both modules have: the complete one and `core`.
+// The API over the raw wasm exports; `index.d.ts` documents it. Only what both modules have: the complete one and
+// `core`.
 import { packedScene } from "./cells.js";
 import * as raw from "./parkade.js";
 import { ParkadeError, call, isRunning, mismatch, number, numbers, optional, text } from "./runtime.js";
@@ -56,7 +57,10 @@ export class Planner {
 
   /** @type {import("./index.js").Planner["plan"]} */
   plan(options = {}) {
-    /** @type {Parameters<import("./index.js").Planner["plan"]>[0] & { onImproved?: (plan: any) => void, onExpanded?: (events: any) => void }} */
+    /**
+     * @type {Parameters<import("./index.js").Planner["plan"]>[0] & { onImproved?: (plan: any) => void, onExpanded?:
+     * (events: any) => void }}
+     */
     const { onProgress, onImproved, onExpanded, ...others } = optional(options);
     /** @type {{ error: unknown } | undefined} */
     let thrown;
@@ -160,7 +164,8 @@ export class Planner {
   /**
    * @template T
    * @param {(planner: raw.RawPlanner) => T} run
-   * @param {"search" | "anyAngleLength" | "brush" | "continueFrom" | "explain" | "watched"} [method] what only the complete module has
+   * @param {"search" | "anyAngleLength" | "brush" | "continueFrom" | "explain" | "watched"} [method] what only the
+   * complete module has
    * @param {string} [name] what it is called here
    */
   #call(run, method, name = method) {

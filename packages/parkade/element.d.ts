@@ -1,4 +1,7 @@
-/** Types of `<parkade-playground>`, whose script is the built page's `parkade-playground.js`. There is nothing to run here: `import type`. */
+/**
+ * Types of `<parkade-playground>`, whose script is the built page's `parkade-playground.js`. There is nothing to run
+ * here: `import type`.
+ */
 import type { Camera, Plan, PlannerId, Scenario } from "./index.js";
 
 export type PlaygroundLayer = "clean" | "search" | "risk" | "drive";

@@ -35,8 +35,8 @@ export type Obstacle =
   | Road;
 
 /**
- * A road along a line with rounded corners. Its kerbs block; its ends are open, and so are its sides where other roads meet
- * it. Traffic keeps to the right: `cost-map` to the lanes in the direction from start to goal.
+ * A road along a line with rounded corners. Its kerbs block; its ends are open, and so are its sides where other roads
+ * meet it. Traffic keeps to the right: `cost-map` to the lanes in the direction from start to goal.
  */
 export interface Road {
   type: "road";
@@ -74,8 +74,8 @@ export interface Slot {
 }
 
 /**
- * A box that follows a line at constant speed, its length along its motion. It stands at the first point before its start
- * and at the last one after its arrival. Planners leave it out; `stopWaitGo` waits for it.
+ * A box that follows a line at constant speed, its length along its motion. It stands at the first point before its
+ * start and at the last one after its arrival. Planners leave it out; `stopWaitGo` waits for it.
  */
 export interface MovingObstacle {
   id?: string;
@@ -118,11 +118,13 @@ export type VehicleSpec = "paper" | "sedan" | "ship" | Vehicle;
 export type Goal = Pose | { slot: string; entry: "reverse-in" | "head-in" };
 
 /**
- * Several goals, of which a plan takes the one that is the cheapest to reach and names it in `goal`. Not in `parkade/core`.
+ * Several goals, of which a plan takes the one that is the cheapest to reach and names it in `goal`. Not in
+ * `parkade/core`.
  *
  * - Slots by their ids, or every free one. Occupied slots are left out.
  * - Poses, 1 to 1000. Those at which the car overlaps something are left out.
- * - A region: a simple polygon that shall hold the whole car, and where its nose shall point, ± 15°; anywhere without `heading`.
+ * - A region: a simple polygon that shall hold the whole car, and where its nose shall point, ± 15°; anywhere without
+ *   `heading`.
  *
  * The `hybrid` planners search from all goals at once; the other planners go to one goal after another.
  */
@@ -157,7 +159,10 @@ export interface Scenario<AnyGoal extends Goal | GoalSet = Goal | GoalSet> {
   map: MapFrame;
   obstacles?: Obstacle[];
   slots?: Slot[];
-  /** `jump-point`, `any-angle`, `greedy`, `rrt` and `genetic`, for which all free cells cost the same, refuse scenes with weights above 1. */
+  /**
+   * `jump-point`, `any-angle`, `greedy`, `rrt` and `genetic`, for which all free cells cost the same, refuse scenes
+   * with weights above 1.
+   */
   costs?: CostArea[];
   /** Left out by planners; `parkade/core` does not even check it. */
   moving?: MovingObstacle[];
@@ -179,8 +184,8 @@ export interface SearchStats {
   /** Largest size of the open list. */
   openPeak: number;
   /**
-   * Bytes of the arrays that the planner held: what it kept of each node, its open list at its largest, and the rasters that it
-   * searched; not the scene. No part of the hash.
+   * Bytes of the arrays that the planner held: what it kept of each node, its open list at its largest, and the rasters
+   * that it searched; not the scene. No part of the hash.
    */
   memoryBytes: number;
 }
@@ -223,7 +228,10 @@ export interface PathMetrics {
   /** Of the car's body along `path`, metres. */
   minClearance: number;
   meanClearance: number;
-  /** Present if the scene has `costs`: the length, each part times the weight under the rear axle (`cost-map`: the car's middle), metres. */
+  /**
+   * Present if the scene has `costs`: the length, each part times the weight under the rear axle (`cost-map`: the car's
+   * middle), metres.
+   */
   weightedLength?: number;
 }
 
@@ -239,8 +247,8 @@ export interface GridMetrics extends PathMetrics {
   turnsPruned?: number;
   turnAngleDegPruned?: number;
   /**
-   * Of the path as answered: from the centres of its cells to blocked cells' centres, at most 5 cells; the mean over samples
-   * every quarter of a cell.
+   * Of the path as answered: from the centres of its cells to blocked cells' centres, at most 5 cells; the mean over
+   * samples every quarter of a cell.
    */
   minClearanceCells?: number;
   meanClearanceCells?: number;
@@ -255,19 +263,23 @@ export interface HybridMetrics extends PathMetrics {
   /** Cost of the path by the planner's settings, in metres of driving ahead. */
   cost?: number;
   /**
-   * Metres that no path of this car from start to goal can be shorter than: the shortest Reeds–Shepp curve, obstacles aside. Of several
-   * goals to the nearest by that measure.
+   * Metres that no path of this car from start to goal can be shorter than: the shortest Reeds–Shepp curve, obstacles
+   * aside. Of several goals to the nearest by that measure.
    */
   rsBound?: number;
   /** By how much the path is longer than `rsBound`, percent of it: no path can save more. 0 proves it the shortest. */
   gapPercent?: number;
-  /** The margin planned with, metres: less than asked where start or goal have less, 2 mm where more keeps the car in. */
+  /**
+   * The margin planned with, metres: less than asked where start or goal have less, 2 mm where more keeps the car in.
+   */
   margin?: number;
   /** The parking paper's rounding. */
   paperLength?: number;
   paperNodes?: number;
   paperTime?: number;
-  /** Where paths are chosen among: `duration` of the trajectory that `optimise` makes of this one by default, seconds. */
+  /**
+   * Where paths are chosen among: `duration` of the trajectory that `optimise` makes of this one by default, seconds.
+   */
   driveTime?: number;
 }
 
@@ -301,7 +313,10 @@ export interface Check {
   hits: number;
   /** Their indices into `path`. */
   hitPoses: Uint32Array;
-  /** The first obstacle hit: its id or kind ("border", "wall", "polygon", …), its index in `obstacles` (or -1) and the pose. */
+  /**
+   * The first obstacle hit: its id or kind ("border", "wall", "polygon", …), its index in `obstacles` (or -1) and the
+   * pose.
+   */
   firstHit: Hit | null;
   /** Corners and arcs that turn tighter than the car can. */
   tightTurns: number;
@@ -342,8 +357,8 @@ export interface Narrowest {
 export interface CellTrace { kind: "cells"; cells: Uint32Array; dropped: number }
 
 /**
- * Hybrid search tree: x, y, heading at its beginning, curvature, signed length (negative: reverse) of each arc as driven, in
- * order of expansion; at most 20 000. Of the last search, where several levels were tried.
+ * Hybrid search tree: x, y, heading at its beginning, curvature, signed length (negative: reverse) of each arc as
+ * driven, in order of expansion; at most 20 000. Of the last search, where several levels were tried.
  */
 export interface ArcTrace { kind: "arcs"; arcs: Float64Array; dropped: number; shots: Shots }
 
@@ -374,21 +389,24 @@ export interface PoseTrace extends SearchEvents {
   poses: Float64Array;
   /** Per move: curvature and signed length of its arc up to there, as the tree grows. */
   arcs: Float64Array;
-  /** Per move: index in the scene's `obstacles` of what is in its way, -1 for the border and parked cars of slots, -2 for nothing. */
+  /**
+   * Per move: index in the scene's `obstacles` of what is in its way, -1 for the border and parked cars of slots, -2
+   * for nothing.
+   */
   obstacles: Int32Array;
   /** The ordinary trace of the same search. */
   tree: ArcTrace;
 }
 
 /**
- * Events of a search in columns. A step is an entry taken from the open list; its moves follow one another in the columns named
- * `target…`. 33 bytes a step and 21 bytes a move.
+ * Events of a search in columns. A step is an entry taken from the open list; its moves follow one another in the
+ * columns named `target…`. 33 bytes a step and 21 bytes a move.
  */
 export interface SearchEvents {
   /**
-   * Per step: 0 expanded, 1 its deferred moves tried, 2 excluded by a bound, 3 the goal, 4 where two sides meet, 5 expanded, and a path
-   * completed that a cheaper one may replace; of `rrt` 6 a cell drawn, whose nearest in the tree the node is; of `genetic` 7 a candidate,
-   * f its fitness; 16 more of the side from the goal.
+   * Per step: 0 expanded, 1 its deferred moves tried, 2 excluded by a bound, 3 the goal, 4 where two sides meet, 5
+   * expanded, and a path completed that a cheaper one may replace; of `rrt` 6 a cell drawn, whose nearest in the tree
+   * the node is; of `genetic` 7 a candidate, f its fitness; 16 more of the side from the goal.
    */
   kinds: Uint8Array;
   /** Per step: its node, cost from the root, estimate, priority. */
@@ -403,19 +421,29 @@ export interface SearchEvents {
   targetG: Float64Array;
   targetH: Float64Array;
   /**
-   * Per move: 0 kept, 1 improved, 2 dearer than known, 3 closed, 4 blocked, 5 cuts a corner, 6 held back, 7 the node itself waits
-   * for its deferred moves, 8 left out by the search's rule, 9 the cell that `rrt` drew or the end of a free leg of a candidate of `genetic`; 16 more where it leads from the node's parent.
+   * Per move: 0 kept, 1 improved, 2 dearer than known, 3 closed, 4 blocked, 5 cuts a corner, 6 held back, 7 the node
+   * itself waits for its deferred moves, 8 left out by the search's rule, 9 the cell that `rrt` drew or the end of a
+   * free leg of a candidate of `genetic`; 16 more where it leads from the node's parent.
    */
   fates: Uint8Array;
-  /** True if the open list is ordered by f, then the oldest entry first; else by f, then by h, then the newest entry first. */
+  /**
+   * True if the open list is ordered by f, then the oldest entry first; else by f, then by h, then the newest entry
+   * first.
+   */
   oldestFirst: boolean;
-  /** Costs of a cell or metre: a million where the planner reckons in whole micro-cells, 1 for `any-angle`, `cost-map` and hybrid A*. */
+  /**
+   * Costs of a cell or metre: a million where the planner reckons in whole micro-cells, 1 for `any-angle`, `cost-map`
+   * and hybrid A*.
+   */
   unit: number;
   /** By how much f of a node that waits exceeds g + h. */
   penalty: number;
   /** True if steps beyond `traceLimit` are missing. */
   cut: boolean;
-  /** As in the plan's `stats`, of the steps that are there; of the whole search for `any-angle`, `cost-map` and hybrid A*. */
+  /**
+   * As in the plan's `stats`, of the steps that are there; of the whole search for `any-angle`, `cost-map` and hybrid
+   * A*.
+   */
   counters: { expanded: number; generated: number; pushes: number; openPeak: number };
 }
 
@@ -435,7 +463,10 @@ export interface Shots {
   dropped: number;
 }
 
-/** The obstacle in the way of a pose: its id or kind ("border", "wall", "polygon", …) and its index in `obstacles` (or -1). */
+/**
+ * The obstacle in the way of a pose: its id or kind ("border", "wall", "polygon", …) and its index in `obstacles` (or
+ * -1).
+ */
 export interface Hit { obstacle: string; index: number; pose: Pose }
 
 /** The place that blocks the way, for drawing; metres. */
@@ -445,8 +476,8 @@ export type Obstruction =
   /** The narrowest place of the widest way, and the car's width. */
   | { kind: "gap"; x: number; y: number; width: number; needed: number }
   /**
-   * No way joins start and goal: the smaller of the regions around them, where the centre of a disc as wide as the car can be.
-   * Squares of side `cell` in runs: lower left corner, number of squares eastward.
+   * No way joins start and goal: the smaller of the regions around them, where the centre of a disc as wide as the car
+   * can be. Squares of side `cell` in runs: lower left corner, number of squares eastward.
    */
   | { kind: "enclosed"; end: "start" | "goal"; cell: number; runs: [number, number, number][] }
   /** The car can hardly move: how far it gets straight and at full lock, ahead and back, and what stops it there. */
@@ -480,8 +511,8 @@ export interface AnyPlan {
   check: Check;
   trace: Trace | null;
   /**
-   * Two hashes with a hyphen between them, the same in every browser and in Node: 16 hex digits of planner, outcome, verdict and path,
-   * 16 of figures and counters. Time, trace, member and alternatives are no part of it.
+   * Two hashes with a hyphen between them, the same in every browser and in Node: 16 hex digits of planner, outcome,
+   * verdict and path, 16 of figures and counters. Time, trace, member and alternatives are no part of it.
    */
   hash: string;
 }
@@ -515,8 +546,8 @@ export interface HybridPlan extends AnyPlan {
   /** Not in `parkade/core`: which search of its portfolio answered; absent where nothing was searched. */
   member?: Member;
   /**
-   * Where `alternatives` were asked for: the paths of which none is better in everything than another, this one among them, the
-   * shortest first. "Everything" is length, gear changes, clearance and `metrics.driveTime`.
+   * Where `alternatives` were asked for: the paths of which none is better in everything than another, this one among
+   * them, the shortest first. "Everything" is length, gear changes, clearance and `metrics.driveTime`.
    */
   alternatives?: HybridPlan[];
 }
@@ -534,7 +565,10 @@ export type Plan = GridPlan | HybridPlan | RoadPlan;
 /** The answer of one planner. */
 export type PlanOf<Id extends PlannerId> = Id extends GridPlannerId ? GridPlan : Id extends HybridPlannerId ? HybridPlan : RoadPlan;
 
-/** The search that found the path or, where there is none, that went through everything with the least margin, or was tried last. */
+/**
+ * The search that found the path or, where there is none, that went through everything with the least margin, or was
+ * tried last.
+ */
 export interface Member {
   /** Of the portfolio, 0 to 5. */
   level: number;
@@ -567,15 +601,18 @@ export type LayerName = "occupancy" | "safety" | "redundant" | "clearance" | "ri
 export interface Layer {
   width: number;
   height: number;
-  /** Cells of the map from one value to the next, in both directions; the value is that of the middle (floor(every / 2)) cell. */
+  /**
+   * Cells of the map from one value to the next, in both directions; the value is that of the middle (floor(every / 2))
+   * cell.
+   */
   every: number;
   /**
-   * Row-major from the south-western cell. occupancy: 0 free, 1 blocked. safety: 0 free, 1 obstacle, 2 necessary
-   * safety space (half the car's width). redundant: the same for this grid planner's own settings, and 3 where
-   * `minPassage` or `trapMouth` close free cells between start and goal. clearance: metres from the cell's centre to the nearest blocked
-   * cell's square. risk: force east, force north per cell. potential: U, the goal's and the obstacles' (equations 4 and 6 of
-   * the risk-field paper). cost: what a metre costs beyond its length (with
-   * `costs: "paper"`, what the cell costs); Infinity where the car has no room.
+   * Row-major from the south-western cell. occupancy: 0 free, 1 blocked. safety: 0 free, 1 obstacle, 2 necessary safety
+   * space (half the car's width). redundant: the same for this grid planner's own settings, and 3 where `minPassage` or
+   * `trapMouth` close free cells between start and goal. clearance: metres from the cell's centre to the nearest
+   * blocked cell's square. risk: force east, force north per cell. potential: U, the goal's and the obstacles'
+   * (equations 4 and 6 of the risk-field paper). cost: what a metre costs beyond its length (with `costs: "paper"`,
+   * what the cell costs); Infinity where the car has no room.
    */
   data: Uint8Array | Float32Array;
 }
@@ -680,9 +717,9 @@ export class ParkadeError extends Error {
 }
 
 /**
- * Loads the wasm module, once. `wasm`: its bytes, a module or where it is, instead of the file beside this one (`parkade/inline`:
- * its bytes or a module). Once a module is loaded, or loads, another `wasm` is refused,
- * but for compiled modules, which every worker gets its own copy of: they are passed over.
+ * Loads the wasm module, once. `wasm`: its bytes, a module or where it is, instead of the file beside this one
+ * (`parkade/inline`: its bytes or a module). Once a module is loaded, or loads, another `wasm` is refused, but for
+ * compiled modules, which every worker gets its own copy of: they are passed over.
  */
 export function init(options?: { wasm?: BufferSource | WebAssembly.Module | URL | string }): Promise<void>;
 export function version(): string;
@@ -737,8 +774,9 @@ export interface Imported {
 }
 
 /**
- * Detects the format from the file name: MovingAI `.map` with or without its `.scen`, ROS `.yaml` with its `.pgm`, TPCAP `.csv`, lots and
- * scenes as `.json`. Throws ParkadeError "bad-import" with `path` "file:line". `parkade` only, not `parkade/core`.
+ * Detects the format from the file name: MovingAI `.map` with or without its `.scen`, ROS `.yaml` with its `.pgm`,
+ * TPCAP `.csv`, lots and scenes as `.json`. Throws ParkadeError "bad-import" with `path` "file:line". `parkade` only,
+ * not `parkade/core`.
  */
 export function importScene(
   files: Record<string, string | Uint8Array | ArrayBuffer>, options?: ImportOptions,
@@ -752,19 +790,26 @@ export interface OccupancyOptions extends Omit<Partial<Scenario>, "version" | "m
   resolution: number;
   /** Lower left corner of the map, metres; default [0, 0]. */
   origin?: [number, number];
-  /** "bottom-up" (default): the first row is the southernmost one, as in ROS. "top-down": the northernmost one, as in pictures. */
+  /**
+   * "bottom-up" (default): the first row is the southernmost one, as in ROS. "top-down": the northernmost one, as in
+   * pictures.
+   */
   rows?: "bottom-up" | "top-down";
   /** Cells of at least this value are blocked; default 1. Negative values, and what is no number, are unknown. */
   occupied?: number;
   /** Treatment of unknown cells; default "blocked". */
   unknown?: "blocked" | "free";
-  /** What a metre costs in each cell, in metres: whole numbers from 1 to 10, in the order of the cells. For planners with `takesCosts`. */
+  /**
+   * What a metre costs in each cell, in metres: whole numbers from 1 to 10, in the order of the cells. For planners
+   * with `takesCosts`.
+   */
   costs?: ArrayLike<number>;
 }
 
 /**
- * A scene of a grid: one value per cell, row by row from west to east, `width` cells a row. Other fields of a scene (`vehicle`, `slots`, …)
- * may be given with the options; `obstacles` come on top of the grid. Throws ParkadeError "bad-input". `parkade` only, not `parkade/core`.
+ * A scene of a grid: one value per cell, row by row from west to east, `width` cells a row. Other fields of a scene
+ * (`vehicle`, `slots`, …) may be given with the options; `obstacles` come on top of the grid. Throws ParkadeError
+ * "bad-input". `parkade` only, not `parkade/core`.
  */
 export function fromOccupancy(cells: ArrayLike<number | boolean>, width: number, options: OccupancyOptions): Scenario;
 
@@ -784,8 +829,8 @@ export interface OccupancyGrid {
 }
 
 /**
- * A scene of a ROS map message, in the map's frame. `occupied` is 65 by default. A map that is rotated is refused. `parkade` only, not
- * `parkade/core`.
+ * A scene of a ROS map message, in the map's frame. `occupied` is 65 by default. A map that is rotated is refused.
+ * `parkade` only, not `parkade/core`.
  */
 export function fromOccupancyGrid(message: OccupancyGrid, options: Omit<OccupancyOptions, "resolution" | "origin">): Scenario;
 
@@ -807,7 +852,9 @@ export type Family =
 /** Draws a map of a family, one metre a cell, from corner to corner. `parkade` only, not `parkade/core`. */
 export function generateScenario(family: Family): Scenario<Goal>;
 
-/** A row of tables 3 and 4 of Hu et al. 2024; printed values of four neighbours, eight neighbours, the improved planner. */
+/**
+ * A row of tables 3 and 4 of Hu et al. 2024; printed values of four neighbours, eight neighbours, the improved planner.
+ */
 export interface PaperRow {
   id: string;
   table: number;
@@ -840,8 +887,8 @@ export interface PaperTable {
 }
 
 /**
- * A claim of a paper and what we find. `figures`: ratios, percentages, metres or counts by name; of several rows the smallest and
- * the largest, null where none is measured.
+ * A claim of a paper and what we find. `figures`: ratios, percentages, metres or counts by name; of several rows the
+ * smallest and the largest, null where none is measured.
  */
 export interface PaperClaim {
   id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "Y5" | "Y6" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
@@ -900,7 +947,10 @@ export interface RoadTable {
 
 /** Rows that `paperRoad` measures. `parkade` only, not `parkade/core`, as the next one. */
 export function paperRoadRows(): RoadRow[];
-/** Plans a scene of the road manuscript in several ways, the fastest of some rounds (1) for the time, with the risk of each. */
+/**
+ * Plans a scene of the road manuscript in several ways, the fastest of some rounds (1) for the time, with the risk of
+ * each.
+ */
 export function paperRoad(options: { row: string; rounds?: number }): RoadTable;
 
 /** A cell of the parking paper's tables: seconds of driving at 2 m/s, gear changes, nodes 0.1 m apart, metres. */
@@ -928,7 +978,10 @@ export interface ParkingTable {
   bound: number;
   /** True if the printed lengths, traditional and improved, are below that. */
   impossible: [boolean, boolean];
-  /** "hybrid-forward" (traditional), "hybrid" (improved), "hybrid-bidirectional", "hybrid-classic", in the paper's rounding. */
+  /**
+   * "hybrid-forward" (traditional), "hybrid" (improved), "hybrid-bidirectional", "hybrid-classic", in the paper's
+   * rounding.
+   */
   lines: (ParkingFigures & {
     planner: PlannerId;
     verdict: Check["verdict"];
@@ -960,12 +1013,16 @@ export interface ParkingSaved {
 }
 
 /**
- * Claims of the parking paper and of the road manuscript, judged on their tables, which must be all there; none where they are
- * not. No verdict rests on a time. `saved`: of rows P1 to P4 and L1 to L4. `parkade` only, not `parkade/core`, as the next two.
+ * Claims of the parking paper and of the road manuscript, judged on their tables, which must be all there; none where
+ * they are not. No verdict rests on a time. `saved`: of rows P1 to P4 and L1 to L4. `parkade` only, not `parkade/core`,
+ * as the next two.
  */
 export function paperVerdicts(tables: { parking?: ParkingTable[]; road?: RoadTable[] }): { parking: PaperClaim[]; road: PaperClaim[]; saved: [ParkingSaved, ParkingSaved] | null };
 
-/** The seeds of a row's maps, `from` to `to`, on which the risk field taken literally (`fallback: "none"`) finds no path. */
+/**
+ * The seeds of a row's maps, `from` to `to`, on which the risk field taken literally (`fallback: "none"`) finds no
+ * path.
+ */
 export function paperStranded(slice: { row: string; from: number; to: number }): number[];
 
 /** Volumes around the car held against its exact body (figures 4 and 5 of the parking paper). */
@@ -995,8 +1052,8 @@ export interface VolumeComparison {
 export function paperVolumes(options: { scene: string; poses?: number; seed?: number; rounds?: number }): VolumeComparison;
 
 /**
- * Some of a search's expansions in their order, as in a trace: cells, or arcs (x, y, heading, curvature, signed length). `search`
- * counts the searches of a plan from 0: hybrid's may be several, of which the last is the trace's.
+ * Some of a search's expansions in their order, as in a trace: cells, or arcs (x, y, heading, curvature, signed
+ * length). `search` counts the searches of a plan from 0: hybrid's may be several, of which the last is the trace's.
  */
 export type Expansions =
   | { kind: "cells"; search: number; cells: Uint32Array }
@@ -1006,28 +1063,30 @@ export class Planner<Id extends PlannerId = PlannerId> {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */
   constructor(planner: Id, scene: Scenario, config?: PlannerSettings[Id]);
   /**
-   * `start` and `goal` take the place of the scene's in this plan, and in `layer`, `explain` and `anyAngleLength` until the next
-   * one; a second plan on the same map prepares nothing anew. `goal` is one pose or slot, no set of them. `parkade/core` takes
-   * poses only, no slots.
+   * `start` and `goal` take the place of the scene's in this plan, and in `layer`, `explain` and `anyAngleLength` until
+   * the next one; a second plan on the same map prepares nothing anew. `goal` is one pose or slot, no set of them.
+   * `parkade/core` takes poses only, no slots.
    *
-   * `onProgress` is called while the search goes on: each 16 384 cells, or each 256 poses of a car, with the expansions so far;
-   * and once when it has ended, with the plan's `stats.expanded`, before the path is followed, checked and measured. What it
-   * throws ends the search and is thrown by `plan`; the planner can be used again. It cannot use the planner that calls it.
+   * `onProgress` is called while the search goes on: each 16 384 cells, or each 256 poses of a car, with the expansions
+   * so far; and once when it has ended, with the plan's `stats.expanded`, before the path is followed, checked and
+   * measured. What it throws ends the search and is thrown by `plan`; the planner can be used again. It cannot use the
+   * planner that calls it.
    *
    * `trace: "full"`, not in `parkade/core`, records the search with every move that it considered and what became of it
-   * ({@link SearchTrace}, {@link PoseTrace}), at most `traceLimit` steps, 1 to 1 000 000, by default 100 000. Plans without it are as
-   * fast as ever. 
+   * ({@link SearchTrace}, {@link PoseTrace}), at most `traceLimit` steps, 1 to 1 000 000, by default 100 000. Plans
+   * without it are as fast as ever.
    *
-   * Hybrid only, and not in `parkade/core`: `prefer` looks for a better path than the ordinary one by that measure, gear changes
-   * first for "fewest-changes"; `alternatives` looks for all that are worth choosing from. Without `prefer` the answer is
-   * then the path that costs least with no less margin. `onImproved` is given the ordinary plan, and each better one as soon
-   * as it is found; what it throws counts as in `onProgress`. All are bounded by counted work, a few times that of an
-   * ordinary plan of a tight slot, and the same everywhere.
+   * Hybrid only, and not in `parkade/core`: `prefer` looks for a better path than the ordinary one by that measure,
+   * gear changes first for "fewest-changes"; `alternatives` looks for all that are worth choosing from. Without
+   * `prefer` the answer is then the path that costs least with no less margin. `onImproved` is given the ordinary plan,
+   * and each better one as soon as it is found; what it throws counts as in `onProgress`. All are bounded by counted
+   * work, a few times that of an ordinary plan of a tight slot, and the same everywhere.
    *
-   * `stickiness`, 0 to 1, hybrid only, for what is dragged: this planner's last path, led to the new ends and around what is in its way,
-   * stays unless another one costs less by more than that share and is longer or shorter by more than it, or keeps a margin that the
-   * last one does not. With `prefer`, and without `alternatives` and `onImproved`, it is that measure by which the other one must be
-   * better, and nothing more is searched for. Without `stickiness` a plan does not depend on the one before.
+   * `stickiness`, 0 to 1, hybrid only, for what is dragged: this planner's last path, led to the new ends and around
+   * what is in its way, stays unless another one costs less by more than that share and is longer or shorter by more
+   * than it, or keeps a margin that the last one does not. With `prefer`, and without `alternatives` and `onImproved`,
+   * it is that measure by which the other one must be better, and nothing more is searched for. Without `stickiness` a
+   * plan does not depend on the one before.
    *
    * `onExpanded` is given what is expanded while it is searched, a thousand cells or 64 arcs at a time, for drawings of
    * one's own; the plan then has its trace. Not in `parkade/core`.
@@ -1052,9 +1111,9 @@ export class Planner<Id extends PlannerId = PlannerId> {
     onExpanded?: (events: Expansions) => void;
   }): PlanOf<Id>;
   /**
-   * Takes over a path for `stickiness`: the last one of a planner of the scene as it was before an edit, or a plan's, say one of the
-   * `alternatives`. Nothing is taken over by other planners than hybrid, nor from a planner where the floor's outline is another.
-   * Not in `parkade/core`.
+   * Takes over a path for `stickiness`: the last one of a planner of the scene as it was before an edit, or a plan's,
+   * say one of the `alternatives`. Nothing is taken over by other planners than hybrid, nor from a planner where the
+   * floor's outline is another. Not in `parkade/core`.
    */
   continueFrom(before: Planner | HybridPlan): void;
   /**
@@ -1068,13 +1127,13 @@ export class Planner<Id extends PlannerId = PlannerId> {
    */
   anyAngleLength(): number | null;
   /**
-   * Blocks runs of cells [x, y, count] in this planner's own map, or takes the brush away from them; what other obstacles
-   * block stays blocked. Costs what the runs touch, not the size of the map. Not in `parkade/core`.
+   * Blocks runs of cells [x, y, count] in this planner's own map, or takes the brush away from them; what other
+   * obstacles block stays blocked. Costs what the runs touch, not the size of the map. Not in `parkade/core`.
    */
   brush(runs: [number, number, number][], blocked: boolean): void;
   /**
-   * A raster of this planner's map, between the ends of the last plan. `every`, of `risk` only: a value for each square of so
-   * many cells in each direction, without those that the map's border cuts through; default 1.
+   * A raster of this planner's map, between the ends of the last plan. `every`, of `risk` only: a value for each square
+   * of so many cells in each direction, without those that the map's border cuts through; default 1.
    */
   layer(name: LayerName, options?: { every?: number }): Layer;
   /**
@@ -1098,7 +1157,9 @@ export interface DrivenPath {
 
 /** Limits of a trajectory. */
 export interface Limits {
-  /** "limited" (default): from rest to rest within all limits. "constant": `speed` throughout, as in the parking paper. */
+  /**
+   * "limited" (default): from rest to rest within all limits. "constant": `speed` throughout, as in the parking paper.
+   */
   profile?: "limited" | "constant";
   /** m/s; default 2. The scene's `speedLimits` hold as well. */
   speed?: number;
@@ -1115,8 +1176,8 @@ export interface Limits {
   /** Speed at the end, m/s; default 0. */
   goalSpeed?: number;
   /**
-   * Where the curvature steps, which the wheel cannot. "preview" (default): the speed is kept and the wheel begins to turn
-   * before the step. "slow": 0.5 m/s near steps, and everywhere slow enough for the wheel.
+   * Where the curvature steps, which the wheel cannot. "preview" (default): the speed is kept and the wheel begins to
+   * turn before the step. "slow": 0.5 m/s near steps, and everywhere slow enough for the wheel.
    */
   steps?: "preview" | "slow";
   /** True if the wheel turns at standstill at the start and at gear changes; default true. */
@@ -1160,15 +1221,15 @@ export interface OptimiseOptions extends MotionLimits {
 }
 
 /**
- * A trajectory that a car can follow to the centimetre: at rest with a straight wheel at both ends, speed and steering angle
- * linear between rows, which are at most 0.05 s apart; headings do not jump by 2π.
+ * A trajectory that a car can follow to the centimetre: at rest with a straight wheel at both ends, speed and steering
+ * angle linear between rows, which are at most 0.05 s apart; headings do not jump by 2π.
  */
 export interface OptimisedTrajectory extends Trajectory {
   /** From each row on, rad/s. */
   steeringRates: Float64Array;
   /**
-   * The stage that made it: the optimised path, or the plan's own path, where the wheel turns on the way at each step of the
-   * curvature, or at a standstill.
+   * The stage that made it: the optimised path, or the plan's own path, where the wheel turns on the way at each step
+   * of the curvature, or at a standstill.
    */
   stage: "optimised" | "continuous-curvature" | "stop-and-steer";
   /** The referee's verdict. */
@@ -1200,9 +1261,9 @@ export interface Tracking {
 
 export interface WaitOptions {
   /**
-   * "predictive" (default): stops before a hit to come, where it is safe to stand. "reactive", the parking paper's: stops
-   * while an obstacle is on the way ahead or, with a trajectory, while a moving one is nearer to it than the car needs to
-   * brake. It can be in a box's way, and `contact` tells so.
+   * "predictive" (default): stops before a hit to come, where it is safe to stand. "reactive", the parking paper's:
+   * stops while an obstacle is on the way ahead or, with a trajectory, while a moving one is nearer to it than the car
+   * needs to brake. It can be in a box's way, and `contact` tells so.
    */
   rule?: "predictive" | "reactive";
   /** How far ahead "reactive" looks: to the end (default), or a stopping distance. */
@@ -1226,7 +1287,10 @@ export interface Encounter extends Drive {
   ending: "arrived" | "unavoidable" | "hit" | "blocked" | "out-of-time";
   /** Per moment: metres from the body to the nearest box; Infinity where there is none. */
   clearances: Float64Array;
-  /** Per moment: seconds until the body would touch a moving box if both kept their velocity; Infinity where they never would. */
+  /**
+   * Per moment: seconds until the body would touch a moving box if both kept their velocity; Infinity where they never
+   * would.
+   */
   timesToCollision: Float64Array;
   /** Per moment, per moving obstacle: x, y, heading of the box. */
   boxes: Float64Array;
@@ -1253,8 +1317,8 @@ export interface MotionLimits {
 }
 
 /**
- * What the referee takes. With `t` (seconds, increasing from 0) a trajectory; without, a path, which is given times run by run
- * and driven by a simulated car.
+ * What the referee takes. With `t` (seconds, increasing from 0) a trajectory; without, a path, which is given times run
+ * by run and driven by a simulated car.
  */
 export interface JudgedTrajectory {
   /** x, y, heading, … */
@@ -1273,8 +1337,8 @@ export interface Judgement {
   /** Attained, no touching frame, all between frames certified, limits kept. */
   passes: boolean;
   /**
-   * It begins at the scene's start, ends at rest within 1 cm in x and in y and 1° of the goal, and its poses are those of a
-   * car with these speeds and steering angles, to 1 cm and 0.5°.
+   * It begins at the scene's start, ends at rest within 1 cm in x and in y and 1° of the goal, and its poses are those
+   * of a car with these speeds and steering angles, to 1 cm and 0.5°.
    */
   attained: boolean;
   /** Speed, acceleration, steering angle and steering rate, to 0.1 %. */
@@ -1323,7 +1387,10 @@ export interface Judgement {
 export interface RoadFigures {
   /** Metres of that line. */
   middleLength: number;
-  /** Of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The capped mean counts at most 1.2 m. */
+  /**
+   * Of the body, pointing along that line, 5 m at the ends left out; below zero where it overlaps. The capped mean
+   * counts at most 1.2 m.
+   */
   bodyClearanceMin: number;
   bodyClearanceMean: number;
   bodyClearanceMeanCapped: number;
@@ -1353,7 +1420,10 @@ export interface LibraryVehicle {
   /** Null where the source does not state it. */
   widthWithMirrors: number | null;
   maxSteer: number;
-  /** Radii of the circles of the outer front wheel and of the outer front corner at full lock, as the source states them. */
+  /**
+   * Radii of the circles of the outer front wheel and of the outer front corner at full lock, as the source states
+   * them.
+   */
   kerbRadius: number | null;
   wallRadius: number | null;
   /** Fields that the source leaves open and that were chosen here. */
@@ -1430,17 +1500,18 @@ export interface AuditRow extends AuditWay {
 }
 
 /**
- * Asks of each bay whether each vehicle can drive in from each entrance, and out again: rows bay by bay, and for each bay by
- * vehicle, entrance and entry, in the order of the options. `onRow` is given each row at once; where it answers false, the audit ends
- * with the rows so far. `parkade` only, not `parkade/core`.
+ * Asks of each bay whether each vehicle can drive in from each entrance, and out again: rows bay by bay, and for each
+ * bay by vehicle, entrance and entry, in the order of the options. `onRow` is given each row at once; where it answers
+ * false, the audit ends with the rows so far. `parkade` only, not `parkade/core`.
  */
 export function audit(
   scene: Scenario, options?: AuditOptions & { onRow?: (row: AuditRow) => boolean | void },
 ): AuditRow[];
 /**
- * An audit in parts, of which several run at once, such as in workers: the same rows as `audit`'s, in the same order, for any number
- * of them. `run` audits one part; at most `workers` (default 2) parts of `bays` bays (default 4) are under way. `signal` ends
- * it: it rejects with the signal's reason, and gives `run` the signal, too. `parkade` only, not `parkade/core`.
+ * An audit in parts, of which several run at once, such as in workers: the same rows as `audit`'s, in the same order,
+ * for any number of them. `run` audits one part; at most `workers` (default 2) parts of `bays` bays (default 4) are
+ * under way. `signal` ends it: it rejects with the signal's reason, and gives `run` the signal, too. `parkade` only,
+ * not `parkade/core`.
  */
 export function auditInParts(
   scene: Scenario,
@@ -1455,9 +1526,10 @@ export function auditInParts(
   },
 ): Promise<AuditRow[]>;
 /**
- * Of an audit's rows those that an edit can touch: their swept body comes near what was added or removed, their bay changed, or
- * they were out of reach and something was removed; all, where more than obstacles and slots changed. The other rows stay true, but an audit
- * of the edited scene may find other paths. `options`: the audit's. `parkade` only, not `parkade/core`.
+ * Of an audit's rows those that an edit can touch: their swept body comes near what was added or removed, their bay
+ * changed, or they were out of reach and something was removed; all, where more than obstacles and slots changed. The
+ * other rows stay true, but an audit of the edited scene may find other paths. `options`: the audit's. `parkade` only,
+ * not `parkade/core`.
  */
 export function affectedRows(before: Scenario, after: Scenario, rows: AuditRow[], options?: AuditOptions): AuditRow[];
 
@@ -1500,29 +1572,31 @@ export interface ReedsSheppCurve {
   /** Metres, reverse included. */
   length: number;
   directionChanges: number;
-  /** Per arc: x, y, heading at its beginning, curvature (1/m, positive to the left), signed length (negative: reverse). */
+  /**
+   * Per arc: x, y, heading at its beginning, curvature (1/m, positive to the left), signed length (negative: reverse).
+   */
   arcs: [x: number, y: number, heading: number, curvature: number, length: number][];
 }
 
 /**
- * The Reeds–Shepp words between two poses for a turning radius in metres, the shortest first. Words that turn farther than a
- * shortest curve ever does are left out. `parkade` only, not `parkade/core`.
+ * The Reeds–Shepp words between two poses for a turning radius in metres, the shortest first. Words that turn farther
+ * than a shortest curve ever does are left out. `parkade` only, not `parkade/core`.
  */
 export function reedsShepp(from: Pose, to: Pose, radius: number): ReedsSheppCurve[];
 
 /** Figures of any path on a scene's road. `parkade` only, not `parkade/core`. */
 export function roadFigures(scene: Scenario, plan: { path: Float64Array | number[] }): RoadFigures;
 /**
- * How often a path ends in a collision when the car is beside it by chance: in each trial by 0.10 m throughout and 0.12 m
- * along the way (standard deviations). Trials `from` to `from + trials` of a seed; slices add up. Defaults: 1000 trials from 0,
- * seed 20260101. `discHits`: the same for a disc of the car's width. `parkade` only, not `parkade/core`.
+ * How often a path ends in a collision when the car is beside it by chance: in each trial by 0.10 m throughout and 0.12
+ * m along the way (standard deviations). Trials `from` to `from + trials` of a seed; slices add up. Defaults: 1000
+ * trials from 0, seed 20260101. `discHits`: the same for a disc of the car's width. `parkade` only, not `parkade/core`.
  */
 export function collisionRisk(
   scene: Scenario, plan: { path: Float64Array | number[] }, options?: { trials?: number; from?: number; seed?: number },
 ): { trials: number; hits: number; discHits: number };
 /**
- * The band that the car's middle stays in during those drives: for each metre of the path, 5 m at the ends left out, the points
- * farthest to the left and to the right, x, y, x, y, …, metres. `parkade` only, not `parkade/core`.
+ * The band that the car's middle stays in during those drives: for each metre of the path, 5 m at the ends left out,
+ * the points farthest to the left and to the right, x, y, x, y, …, metres. `parkade` only, not `parkade/core`.
  */
 export function driveEnvelope(
   scene: Scenario, plan: { path: Float64Array | number[] }, options?: { trials?: number; from?: number; seed?: number },
@@ -1537,8 +1611,8 @@ export interface PictureOptions {
   /** For screen readers; the scene's name where absent. */
   title?: string;
   /**
-   * Where they are given, the picture is a playground of this size with these attributes, to the pixel where its map is: a
-   * poster. Others are drawn by the playground's own `toSVG`.
+   * Where they are given, the picture is a playground of this size with these attributes, to the pixel where its map
+   * is: a poster. Others are drawn by the playground's own `toSVG`.
    */
   layout?: "single" | "overlay";
   controls?: "none" | "minimal";
@@ -1560,8 +1634,8 @@ export interface Camera {
 }
 
 /**
- * A picture of a scene and its plans, drawn as the page draws it first, to the pixel; the scene itself is in the picture's
- * `metadata`. Plans with a trace show their search. `parkade` only, not `parkade/core`.
+ * A picture of a scene and its plans, drawn as the page draws it first, to the pixel; the scene itself is in the
+ * picture's `metadata`. Plans with a trace show their search. `parkade` only, not `parkade/core`.
  */
 export function toSVG(scene: Scenario, plans?: Plan | readonly Plan[], options?: PictureOptions): string;
 /** A path with what is measured along it: a plan, or the path of a drive and its check. */
@@ -1573,27 +1647,30 @@ export interface MeasuredPath extends DrivenPath {
 }
 
 /**
- * A path's poses as CSV: s,x,y,theta,kappa,clearance,v,direction,t in metres, radians, 1/m, m/s, ±1 and seconds. Corners have
- * no kappa; v and t are those of `drive`, which is by default the plan's `trajectory`, and absent where this car cannot drive.
- * `parkade` only, not `parkade/core`.
+ * A path's poses as CSV: s,x,y,theta,kappa,clearance,v,direction,t in metres, radians, 1/m, m/s, ±1 and seconds.
+ * Corners have no kappa; v and t are those of `drive`, which is by default the plan's `trajectory`, and absent where
+ * this car cannot drive. `parkade` only, not `parkade/core`.
  */
 export function toCSV(scene: Scenario, plan: Plan | MeasuredPath, drive?: Drive | null): string;
 /** Gives a path times. Throws ParkadeError for paths that this car cannot drive. `parkade` only, not `parkade/core`. */
 export function trajectory(scene: Scenario, plan: DrivenPath, limits?: Limits): Trajectory;
 /**
- * Makes a trajectory of a plan that passes its check, from its first pose to its last: the path may change its shape, and
- * gear changes their places. `parkade` only, not `parkade/core`.
+ * Makes a trajectory of a plan that passes its check, from its first pose to its last: the path may change its shape,
+ * and gear changes their places. `parkade` only, not `parkade/core`.
  */
 export function optimise(scene: Scenario, plan: DrivenPath, options?: OptimiseOptions): OptimisedTrajectory;
 /** A drive as CSV, as `judge` reads it: t,x,y,theta,v,phi,a,omega. `parkade` only, not `parkade/core`. */
 export function toTrajectoryCSV(drive: Drive | OptimisedTrajectory): string;
-/** Lets a simulated car follow a path, or an optimised trajectory at its own speeds. `parkade` only, not `parkade/core`. */
+/**
+ * Lets a simulated car follow a path, or an optimised trajectory at its own speeds. `parkade` only, not `parkade/core`.
+ */
 export function track(
   scene: Scenario, plan: DrivenPath, options?: Limits & { controller?: "feedback" | "pure-pursuit" | "stanley" },
 ): Tracking;
 /**
- * Judges a trajectory or a path: columns, or CSV with a header (`t,x,y,theta[,v,phi[,a,omega]]` or `x,y,theta[,gear]`; seconds, metres,
- * radians). Throws ParkadeError, with `path` the line and column of CSV. `parkade` only, not `parkade/core`.
+ * Judges a trajectory or a path: columns, or CSV with a header (`t,x,y,theta[,v,phi[,a,omega]]` or `x,y,theta[,gear]`;
+ * seconds, metres, radians). Throws ParkadeError, with `path` the line and column of CSV. `parkade` only, not
+ * `parkade/core`.
  */
 export function judge(scene: Scenario, trajectory: JudgedTrajectory | string, limits?: MotionLimits): Judgement;
 /**

@@ -31,8 +31,8 @@ export declare class SitePlanError extends Error {
 }
 
 /**
- * Reads a file by its name and contents. GeoJSON is in degrees of WGS 84 if all its coordinates are within half a degree, otherwise in
- * metres. At most 64 MB and 200,000 points. Throws `SitePlanError`.
+ * Reads a file by its name and contents. GeoJSON is in degrees of WGS 84 if all its coordinates are within half a
+ * degree, otherwise in metres. At most 64 MB and 200,000 points. Throws `SitePlanError`.
  */
 export declare function readSitePlan(name: string, content: string | Uint8Array): SitePlan;
 

@@ -122,7 +122,8 @@ impl Engine {
 
 #[cfg(feature = "complete")]
 impl Engine {
-    /// The last search, between the ends of `world`, with its events written down. Recording runs the search a second time, so that a plan without it pays nothing.
+    /// The last search, between the ends of `world`, with its events written down. Recording runs the search a second
+    /// time, so that a plan without it pays nothing.
     pub(super) fn record(&self, world: &World, limit: usize) -> Recorded {
         let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
         let map = self.rasters.map(world);

@@ -136,8 +136,8 @@ const SCENES: [Info; 23] = [
     info("L4", "paper", ["Paper row L4", "论文 L4"], PAPER_QUESTION),
 ];
 
-/// The built-in scene of this id. The road manuscript's scenes for its ship, ten times as large, are `road-straight-ship`,
-/// `road-curve-ship`, `road-crossing-ship` and `road-narrow-ship`; no menu lists them.
+/// The built-in scene of this id. The road manuscript's scenes for its ship, ten times as large, are
+/// `road-straight-ship`, `road-curve-ship`, `road-crossing-ship` and `road-narrow-ship`; no menu lists them.
 ///
 /// # Errors
 /// [`ErrorCode::UnknownScenario`].

@@ -24,8 +24,8 @@ pub enum StepKind {
     Joined = 5,
     /// A cell was drawn at random; this node of the tree is the nearest to it, and stays in the tree.
     Drawn = 6,
-    /// A whole path was judged: its legs are the moves, from the node on, one after another; f is its fitness, the least
-    /// the best.
+    /// A whole path was judged: its legs are the moves, from the node on, one after another; f is its fitness, the
+    /// least the best.
     Candidate = 7,
 }
 
@@ -109,7 +109,8 @@ impl Recording {
     /// Bytes that a move takes.
     pub const MOVE_BYTES: usize = 21;
 
-    /// Adds a step of a planner without an open list, and what it did: target, fate and cost there. Costs are micro-cells.
+    /// Adds a step of a planner without an open list, and what it did: target, fate and cost there. Costs are
+    /// micro-cells.
     pub(crate) fn add(
         &mut self,
         limit: usize,

@@ -1,6 +1,7 @@
-// `parkade batch` over 1000 generated scenes with two jobs and with one, interleaved: wall-clock speed-up, which needs two free
-// cores, and processor time, which does not. Maps of 200 cells a side are what the grid planners are made for; on those of 60 a
-// plan takes a millisecond or two, and what is done once, starting and optimizing the module, weighs as much as it can.
+// `parkade batch` over 1000 generated scenes with two jobs and with one, interleaved: wall-clock speed-up, which needs
+// two free cores, and processor time, which does not. Maps of 200 cells a side are what the grid planners are made for;
+// on those of 60 a plan takes a millisecond or two, and what is done once, starting and optimizing the module, weighs
+// as much as it can.
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { availableParallelism, loadavg, tmpdir } from "node:os";

@@ -1,9 +1,9 @@
 // `cargo xtask bench grid`: grid planners through the built package against others, interleaved in one run.
 //
 // Usage: node grid.mjs MAPS PEERS NATIVE [count] [repeats] [goals], where MAPS holds the MovingAI files, PEERS the
-// installed peers, NATIVE is the built example `movingai`; of goals, `G6,G8`, the others are kept as they were written last.
-// Times are CPU times; ratios count, not milliseconds. Each rival
-// has a process of its own and is asked in turn: one's garbage is not another's time.
+// installed peers, NATIVE is the built example `movingai`; of goals, `G6,G8`, the others are kept as they were written
+// last. Times are CPU times; ratios count, not milliseconds. Each rival has a process of its own and is asked in turn:
+// one's garbage is not another's time.
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { availableParallelism, cpus, loadavg } from "node:os";
@@ -15,7 +15,9 @@ import { load, sample } from "./movingai.mjs";
 
 const wanted = (...any) => goals === "" || any.some((goal) => goals.split(",").includes(goal));
 
-/** How many of the risk field's steps go beyond the cells around, on average over a map's free cells and some questions. */
+/**
+ * How many of the risk field's steps go beyond the cells around, on average over a map's free cells and some questions.
+ */
 function doubleSteps(map, planner, point, questions) {
   let steps = 0,
     cells = 0;
@@ -148,7 +150,8 @@ if (wanted("G11")) {
   }
 }
 if (wanted("G12")) {
-  // A drag moves the goal a quarter of a cell a step; everything that the page shows is computed, check and figures too.
+  // A drag moves the goal a quarter of a cell a step; everything that the page shows is computed, check and figures
+  // too.
   const scene = generateScenario({ family: "random", size: 200, seed: 1 });
   const ids = ["four", "eight", "risk-field", "hybrid"];
   const planners = ids.map((id) => new Planner(id, scene));

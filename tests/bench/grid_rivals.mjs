@@ -1,4 +1,5 @@
-// The rivals of `grid.mjs`: our planners and the peers on a map, each in a process of its own, and the race between them.
+// The rivals of `grid.mjs`: our planners and the peers on a map, each in a process of its own, and the race between
+// them.
 import { fork } from "node:child_process";
 import { once } from "node:events";
 import { readFileSync } from "node:fs";
@@ -53,7 +54,9 @@ export function ours(map, id, config = {}) {
   return { ask, path, planner, point };
 }
 
-/** The lengths that one of our planners tells of its paths, where they are not the files': walks are compared with them. */
+/**
+ * The lengths that one of our planners tells of its paths, where they are not the files': walks are compared with them.
+ */
 export function told(map, id, config) {
   const { ask } = ours(map, id, config);
   return (q) => ask(q).costMicro / 1e6;
@@ -133,7 +136,9 @@ function serve(name, kind, rules) {
   process.send("ready");
 }
 
-/** Asks everybody every question in turns. Returns CPU milliseconds by name: of each question's fastest round, summed. */
+/**
+ * Asks everybody every question in turns. Returns CPU milliseconds by name: of each question's fastest round, summed.
+ */
 export async function race(map, questions, rivals) {
   for (const rival of rivals) {
     const rules = { four: rival.four, cuts: rival.cuts };

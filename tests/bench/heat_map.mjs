@@ -2,8 +2,8 @@
 // @ts-check
 
 /**
- * A panel: what its numbers are, and each cell's text and step on the colour scale (null where there is nothing to say), rows
- * from the bottom up.
+ * A panel: what its numbers are, and each cell's text and step on the colour scale (null where there is nothing to
+ * say), rows from the bottom up.
  * @typedef {{ text: string, step: number, isMarked?: boolean }} Cell
  * @typedef {{ title: string, scale: "good" | "bad", cells: (Cell | null)[][] }} Panel
  * @typedef {{ title: string, sizes: number[] }} Axis

@@ -1,6 +1,6 @@
-// With the word "comparison" prints the comparison with other algorithms as Markdown, with "verdicts" every claim and how
-// it is judged, without a figure that a clock measures; otherwise:
-// Writes every paper's tables, claims and figures into one Markdown and one HTML file, in English and Chinese.
+// With the word "comparison" prints the comparison with other algorithms as Markdown, with "verdicts" every claim and
+// how it is judged, without a figure that a clock measures; otherwise: Writes every paper's tables, claims and figures
+// into one Markdown and one HTML file, in English and Chinese.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";

@@ -1,8 +1,9 @@
 // `cargo xtask bench parking`: hybrid A* natively and through the built package, beside the best of other programs.
 //
-// Usage: node parking.mjs RESULTS NATIVE HOPELESS, where NATIVE is the built example `tpcap`, RESULTS what its `json` printed and
-// HOPELESS what the example `goals` did. Writes benches/PARKING.md where the public cases are at hand. Times are of the processor, the least of several runs, both sides in turns. Every path is checked with the exact body every
-// 2 cm, on both sides; answers must agree byte for byte.
+// Usage: node parking.mjs RESULTS NATIVE HOPELESS, where NATIVE is the built example `tpcap`, RESULTS what its `json`
+// printed and HOPELESS what the example `goals` did. Writes benches/PARKING.md where the public cases are at hand.
+// Times are of the processor, the least of several runs, both sides in turns. Every path is checked with the exact body
+// every 2 cm, on both sides; answers must agree byte for byte.
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { availableParallelism, cpus, loadavg } from "node:os";

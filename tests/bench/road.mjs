@@ -1,7 +1,7 @@
 // `cargo xtask paper road`: the road manuscript's tables measured through the built package, as JSON.
 //
-// Usage: node road.mjs [ROUNDS] | node road.mjs memory SCENE. Memory is that of a module of its own that plans one scene once:
-// all that it has asked for, code, stack, scene and answer included, since wasm gives nothing back.
+// Usage: node road.mjs [ROUNDS] | node road.mjs memory SCENE. Memory is that of a module of its own that plans one
+// scene once: all that it has asked for, code, stack, scene and answer included, since wasm gives nothing back.
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import load from "../../pkg/parkade.js";

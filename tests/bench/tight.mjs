@@ -1,7 +1,7 @@
 // `cargo xtask bench tight`: how tight it can be, drawn and written into the documentation.
 //
-// Usage: node tight.mjs RESULTS [check], where RESULTS is what the example `tight` printed for `json`. Writes the data, the
-// figures and the tables on the page; with `check` only compares the measured cells with the data that are there.
+// Usage: node tight.mjs RESULTS [check], where RESULTS is what the example `tight` printed for `json`. Writes the data,
+// the figures and the tables on the page; with `check` only compares the measured cells with the data that are there.
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { figureOf, fileOf, kindTable, magnitude, mapTable, shortTable, withBlock } from "./tight_figures.mjs";
 

@@ -1,5 +1,5 @@
-// Builds each example of a documentation host in an empty folder, with the page's files, and looks at it in Chromium and Firefox.
-// `node tests/consumers/hosts.mjs [--into FOLDER] [name …]`; packages come from their registries.
+// Builds each example of a documentation host in an empty folder, with the page's files, and looks at it in Chromium
+// and Firefox. `node tests/consumers/hosts.mjs [--into FOLDER] [name …]`; packages come from their registries.
 import { execFileSync, spawn } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { createServer } from "node:http";
@@ -31,7 +31,10 @@ const venv = (cwd, ...build) => [
   ],
   [[join(cwd, ".venv/bin", build[0]), ...build.slice(1)]],
 ];
-/** Of each host: where the page's files go, how it is built, what comes out, what switches its theme, and whose version is told. */
+/**
+ * Of each host: where the page's files go, how it is built, what comes out, what switches its theme, and whose version
+ * is told.
+ */
 const HOSTS = {
   docusaurus: {
     files: "static/parkade",

@@ -1,5 +1,5 @@
-// In the pages of the hosts: waits for the playground, looks at its place, presses the host's switch of themes, follows a link to a
-// scene of the page's own, and posts what it saw. `frame.html` opens each page at a width.
+// In the pages of the hosts: waits for the playground, looks at its place, presses the host's switch of themes, follows
+// a link to a scene of the page's own, and posts what it saw. `frame.html` opens each page at a width.
 const asked = new URLSearchParams(parent.location.search);
 const wait = (ms) => new Promise((done) => setTimeout(done, ms));
 const until = async (what, look, ms = 30_000) => {

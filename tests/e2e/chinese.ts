@@ -2,7 +2,10 @@
 import { expect, type Page } from "@playwright/test";
 import type { PlaygroundElement } from "./playground";
 
-/** What Chinese engineers write in Latin letters: names, formats, units, fields of the scene and of files, values of settings, keys, and the names of this test's files. */
+/**
+ * What Chinese engineers write in Latin letters: names, formats, units, fields of the scene and of files, values of
+ * settings, keys, and the names of this test's files.
+ */
 export const NAMES = new RegExp(
   [
     "Parkade",
@@ -88,7 +91,10 @@ export const NAMES = new RegExp(
 /** Papers as they are cited: their authors and the year. */
 const CITED = /(?:[A-Z][A-Za-z]+, )*[A-Z][A-Za-z]+(?: 等)? \d{4}/g;
 
-/** Every visible text and every name for those who cannot see it, shadow trees included, and every text drawn since the last time. */
+/**
+ * Every visible text and every name for those who cannot see it, shadow trees included, and every text drawn since the
+ * last time.
+ */
 export function textsOf(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const { drawn = new Set<string>() } = window as unknown as { drawn?: Set<string> },

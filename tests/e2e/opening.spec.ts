@@ -8,7 +8,9 @@ interface Rect {
   bottom: number;
 }
 
-/** Every map that is shown: its box, and in the window's pixels the box of the lot and of the cars at start and goal. */
+/**
+ * Every map that is shown: its box, and in the window's pixels the box of the lot and of the cars at start and goal.
+ */
 const maps = (page: Page) =>
   page.evaluate(() => {
     const element = document.querySelector<PlaygroundElement>("parkade-playground")!;

@@ -363,7 +363,8 @@ test("a dragged goal sends the planners nothing else, and they answer as for the
       const playground = document.querySelector<PlaygroundElement>("parkade-playground")!;
       playground.sceneData = structuredClone(playground.sceneData);
     });
-  // The complete module's workers have the scene only when they have planned it; one that is at work on the first module ends that first.
+  // The complete module's workers have the scene only when they have planned it; one that is at work on the first
+  // module ends that first.
   await settled(page);
   await again();
   await settled(page);

@@ -71,7 +71,10 @@ export function settled(page: Page): Promise<void> {
   return page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.settled());
 }
 
-/** Waits until every planner in sight has answered what the store holds now; `settled` waits until each has been timed as well. */
+/**
+ * Waits until every planner in sight has answered what the store holds now; `settled` waits until each has been timed
+ * as well.
+ */
 export function answered(page: Page): Promise<void> {
   return page.evaluate(
     () =>
@@ -128,7 +131,10 @@ export function onScreen(page: Page, x: number, y: number): Promise<{ x: number;
   );
 }
 
-/** Fixes the camera, so that world points can be aimed at: when the canvases have their sizes and are drawn, some frames later. */
+/**
+ * Fixes the camera, so that world points can be aimed at: when the canvases have their sizes and are drawn, some frames
+ * later.
+ */
 export async function look(page: Page, x: number, y: number, scale: number): Promise<void> {
   await page.evaluate(
     async (camera) => {

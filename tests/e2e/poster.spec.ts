@@ -17,7 +17,9 @@ interface Case {
   make: (page: Page) => Promise<string>;
 }
 
-/** Colours of one pixel may differ by this much of 255 in each part: text and edges are smoothed in other ways in files. */
+/**
+ * Colours of one pixel may differ by this much of 255 in each part: text and edges are smoothed in other ways in files.
+ */
 const TOLERANCE = 24;
 /** Of the map's pixels. */
 const MOST_DIFFERENT = 0.003;

@@ -1,6 +1,7 @@
 // @ts-check
-// Serves dist/ below /sub/path/, as a project page of a static host would, and at the top; pages that embed it below /host/; the
-// documentation and the example book, where they are built, below /docs/ and /book/; the package below /package/.
+// Serves dist/ below /sub/path/, as a project page of a static host would, and at the top; pages that embed it below
+// /host/; the documentation and the example book, where they are built, below /docs/ and /book/; the package below
+// /package/.
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname } from "node:path";

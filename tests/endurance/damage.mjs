@@ -1,4 +1,5 @@
-// Damaged links, messages and stored states by a seeded generator: for the tests of `tests/js` and for a page in a browser.
+// Damaged links, messages and stored states by a seeded generator: for the tests of `tests/js` and for a page in a
+// browser.
 
 /** Numbers beyond every bound, and things that are no numbers. */
 const NUMERALS = [

@@ -1,4 +1,5 @@
-// Damaged links, messages and stored states against the page in a browser. Each trial gives what it found: frozen frames and lost pages.
+// Damaged links, messages and stored states against the page in a browser. Each trial gives what it found: frozen
+// frames and lost pages.
 import { damagedMessage, damagedScene, damagedStore, damagedView, sceneText, shortForm } from "./damage.mjs";
 
 const BATCH = 50;
@@ -18,7 +19,9 @@ export function complaintsOf(page) {
   return complaints;
 }
 
-/** Runs in the page or frame before anything else: the longest time without a turn of the event loop, since last asked. */
+/**
+ * Runs in the page or frame before anything else: the longest time without a turn of the event loop, since last asked.
+ */
 export function watchTurns() {
   let last = performance.now(),
     longest = 0;

@@ -1,5 +1,6 @@
-// Damaged links, messages and stored states: `cargo xtask endurance damaged [count] [seed]`. All of them through what reads them, one
-// in twenty through the page itself. None may throw what nobody catches, hold a frame for two seconds, or leave the page without plans.
+// Damaged links, messages and stored states: `cargo xtask endurance damaged [count] [seed]`. All of them through what
+// reads them, one in twenty through the page itself. None may throw what nobody catches, hold a frame for two seconds,
+// or leave the page without plans.
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { withBrowser } from "../e2e/browser.js";

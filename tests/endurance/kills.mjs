@@ -1,4 +1,5 @@
-// Kills planners' workers in the midst of their plans and asks whether the page recovers: `cargo xtask endurance kills [count] [seed]`.
+// Kills planners' workers in the midst of their plans and asks whether the page recovers: `cargo xtask endurance kills
+// [count] [seed]`.
 import { quantile } from "../quantile.mjs";
 import { withPage } from "./page.mjs";
 import { random } from "./random.mjs";

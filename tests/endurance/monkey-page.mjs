@@ -37,7 +37,10 @@ const SLIPS = /\bNaN\b|\bundefined\b|\[object |\bInfinity\b/;
 const PATIENCE_MS = 60_000;
 const REMEMBERED = 25;
 
-/** Until `enough(actions)`: what was done, and every complaint with what was done before it. `frame` is where the playground is. */
+/**
+ * Until `enough(actions)`: what was done, and every complaint with what was done before it. `frame` is where the
+ * playground is.
+ */
 export async function monkey(page, next, { touch = false, frame, enough }) {
   const found = { actions: 0, complaints: [], slowest: 0, usable: false },
     done = [];
@@ -250,7 +253,9 @@ function widgetsOf(page, frame, next, touch) {
   return [[26, "widget", use]];
 }
 
-/** Runs in the page: chooses something to use; sets lists and sliders itself, as no mouse opens a list without a window. */
+/**
+ * Runs in the page: chooses something to use; sets lists and sliders itself, as no mouse opens a list without a window.
+ */
 function useWidget([choice, value]) {
   const all = [];
   const visit = (root) => {

@@ -1,5 +1,5 @@
-// Random clicks, keys and touches on a desktop, a phone and an embedded page at once: `cargo xtask endurance monkey [minutes] [seed]`.
-// Nothing may be said on the console, no text may read NaN, and a scene is planned at the end.
+// Random clicks, keys and touches on a desktop, a phone and an embedded page at once: `cargo xtask endurance monkey
+// [minutes] [seed]`. Nothing may be said on the console, no text may read NaN, and a scene is planned at the end.
 import { withBrowser } from "../e2e/browser.js";
 import { watchTurns } from "./damaged-page.mjs";
 import { monkey } from "./monkey-page.mjs";

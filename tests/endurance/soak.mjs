@@ -1,4 +1,5 @@
-// Random edits for hours: `cargo xtask endurance soak [minutes] [seed]`. Memory must stay flat after the first ten minutes.
+// Random edits for hours: `cargo xtask endurance soak [minutes] [seed]`. Memory must stay flat after the first ten
+// minutes.
 import { quantile } from "../quantile.mjs";
 import { withPage } from "./page.mjs";
 import { random } from "./random.mjs";
@@ -40,8 +41,8 @@ const quiet = await withPage(
     }
     const calm = samples.filter(({ minute }) => minute >= warm),
       half = Math.ceil(calm.length / 2);
-    // A module gives its memory back only with its worker: what the hardest of the last plans took comes and goes, and a leak
-    // lifts the floor.
+    // A module gives its memory back only with its worker: what the hardest of the last plans took comes and goes, and
+    // a leak lifts the floor.
     for (const [name, unit, part, judged] of [
       ["heap", "MB", 0.5, true],
       ["wasm", "MB", 0.1, true],

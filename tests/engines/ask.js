@@ -1,10 +1,11 @@
 // @ts-check
-// What every engine does: plans each question, makes a trajectory of a car's path, and says which answers are others than expected.
+// What every engine does: plans each question, makes a trajectory of a car's path, and says which answers are others
+// than expected.
 
 /**
  * @param {typeof import("../../pkg/index.js")} api ready to be called
- * @param {string} questions a JSON object a line: planner, scene, settings, answer and, of what is made of a car's path, trajectory and
- * encounter
+ * @param {string} questions a JSON object a line: planner, scene, settings, answer and, of what is made of a car's
+ * path, trajectory and encounter
  * @returns {{ asked: number, different: string[] }}
  */
 export function ask({ Planner, optimise, stopWaitGo }, questions) {

@@ -1,6 +1,6 @@
 // @ts-check
-// Plans the questions of a file in Node, with vector instructions and without, in Chromium and Firefox, and compares with the
-// native answers in it.
+// Plans the questions of a file in Node, with vector instructions and without, in Chromium and Firefox, and compares
+// with the native answers in it.
 import { spawn } from "node:child_process";
 import { mkdtemp, readFile, rm } from "node:fs/promises";
 import { createServer } from "node:http";

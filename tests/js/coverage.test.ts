@@ -23,7 +23,10 @@ const rust = ["src", "tests"]
   )
   .join("\n");
 
-/** True if a test of this name is there: a Rust function that is marked as one, or a title of a file of `tests/js` or `tests/e2e`. */
+/**
+ * True if a test of this name is there: a Rust function that is marked as one, or a title of a file of `tests/js` or
+ * `tests/e2e`.
+ */
 function exists(name: string): boolean {
   if (/^\w+$/.test(name))
     return new RegExp(`#\\[(cfg_attr\\([^\\n]*)?test[^\\n]*\\n(#\\[[^\\n]*\\n|\\s)*fn ${name}\\(`).test(rust);

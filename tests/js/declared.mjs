@@ -15,8 +15,8 @@ const marked = (/** @type {string} */ text) =>
   text.replaceAll(/\b(?:Float|Int|Uint)\d+Array\b/g, `{ ${JSON.stringify(TYPED)}: "$&" }`);
 
 /**
- * The exported types and values, and the types of what functions and methods of classes answer, by `name` and `Class.name`. What
- * answers nothing or a promise is left out.
+ * The exported types and values, and the types of what functions and methods of classes answer, by `name` and
+ * `Class.name`. What answers nothing or a promise is left out.
  * @param {string} file
  */
 export function declared(file) {
@@ -43,7 +43,8 @@ export function declared(file) {
 }
 
 /**
- * The JSON Schema of an object of these types, which are written as in the file. Typed arrays have the keyword `typedArray`.
+ * The JSON Schema of an object of these types, which are written as in the file. Typed arrays have the keyword
+ * `typedArray`.
  * @param {string} file `index.d.ts` beside its `settings.d.ts`, or in `core/` below them
  * @param {Record<string, string>} types
  */

@@ -74,7 +74,10 @@ test("every planner's Chinese page has the figure, formulas, script and settings
   });
 });
 
-/** What a translation leaves as it is, sorted: code, numbers; and how many paragraphs, items and words in bold there are. */
+/**
+ * What a translation leaves as it is, sorted: code, numbers; and how many paragraphs, items and words in bold there
+ * are.
+ */
 const fixedOf = (text: string) => ({
   kept: [/`[^`]+`/g, /\d+(\.\d+)?/g].map((what) => [...text.matchAll(what)].map(([one]) => one).sort()),
   parts: [/\n\n/g, /^\* /gm, /\*\*[^*]+\*\*/g].map((what) => [...text.matchAll(what)].length),

@@ -1,4 +1,7 @@
-/** The page's first scene under the hand: the worker's session answers a drag's steps, and no path leaps to a way about as long. */
+/**
+ * The page's first scene under the hand: the worker's session answers a drag's steps, and no path leaps to a way about
+ * as long.
+ */
 import { beforeAll, expect, it } from "vitest";
 import { Planner, init, planners, scenario, type Plan, type Pose } from "parkade";
 import { driveOf } from "../../www/src/planning/drive-of";
@@ -20,7 +23,10 @@ beforeAll(async () => {
 });
 
 const STEPS = 200;
-/** A leap: some place of one path is farther than this from the other, metres, and their lengths differ by less than the share. */
+/**
+ * A leap: some place of one path is farther than this from the other, metres, and their lengths differ by less than the
+ * share.
+ */
 const ASTRAY = 1,
   ALIKE = 0.03;
 const SEEDS = (process.env["DRAGS"] ?? "1 2").split(" ").map(Number);

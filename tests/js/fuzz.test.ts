@@ -13,7 +13,9 @@ import {
   type Scenario,
 } from "parkade";
 
-/** More of it, with another seed, `-t toSVG` for one function: `PARKADE_FUZZ=100000:7 vitest run tests/js/fuzz.test.ts`. */
+/**
+ * More of it, with another seed, `-t toSVG` for one function: `PARKADE_FUZZ=100000:7 vitest run tests/js/fuzz.test.ts`.
+ */
 const [times = "300", seed = "20260101"] = (process.env["PARKADE_FUZZ"] ?? "").split(":").filter(Boolean);
 const HOURS = 36_000_000;
 /** Nothing smaller is looked for: after a trap the module answers nothing. */

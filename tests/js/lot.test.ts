@@ -30,7 +30,10 @@ function randomOf(seed: number): () => number {
   };
 }
 
-/** Any numbers within the bounds, their ends often; half of the sizes follow the others, so that enough forms give a lot. */
+/**
+ * Any numbers within the bounds, their ends often; half of the sizes follow the others, so that enough forms give a
+ * lot.
+ */
 function randomForm(random: () => number): LotForm {
   const pick = <T>(...all: T[]): T => all[Math.floor(random() * all.length)]!;
   const number = (field: NumberField): number => {

@@ -1,4 +1,7 @@
-/** Wrong calls, made from what is right: every field of a scene, every setting and option, and calls that people get wrong. */
+/**
+ * Wrong calls, made from what is right: every field of a scene, every setting and option, and calls that people get
+ * wrong.
+ */
 import * as parkade from "parkade";
 import type { PlannerInfo, Scenario } from "parkade";
 import { RICH } from "./rich-scene";

@@ -1,4 +1,6 @@
-/** How tight it can be: the documentation's figures and tables against the data that `cargo xtask bench tight` measured. */
+/**
+ * How tight it can be: the documentation's figures and tables against the data that `cargo xtask bench tight` measured.
+ */
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { INK, SCALES } from "../bench/heat_map.mjs";

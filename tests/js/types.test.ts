@@ -1,4 +1,7 @@
-/** Whatever the package answers is as its types say, and no more; each function is called, and each word of a list occurs. */
+/**
+ * Whatever the package answers is as its types say, and no more; each function is called, and each word of a list
+ * occurs.
+ */
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import Ajv, { type ValidateFunction } from "ajv";

@@ -94,7 +94,8 @@ describe("the page's words", () => {
   });
 
   it("stand nowhere else", () => {
-    // The button that changes the language has both on it; in a citation one word is replaced; marks join a reason's parts.
+    // The button that changes the language has both on it; in a citation one word is replaced; marks join a reason's
+    // parts.
     const marks = ["panels/toolbar.ts", "panels/toolbar-menus.ts", "i18n/reasons-zh.ts"];
     const own = [...sources]
       .filter(([, source]) => /[\u4e00-\u9fff]/.test(source))

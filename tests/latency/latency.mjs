@@ -1,5 +1,5 @@
-// How soon does the page in dist/ answer a drag? `cargo xtask latency` builds it first. Nothing here fails on a slow machine:
-// times depend on the machine and on what else it does.
+// How soon does the page in dist/ answer a drag? `cargo xtask latency` builds it first. Nothing here fails on a slow
+// machine: times depend on the machine and on what else it does.
 import { loadavg, availableParallelism } from "node:os";
 import { withBrowser } from "../e2e/browser.js";
 import { quantile } from "../quantile.mjs";

@@ -1,5 +1,5 @@
-// What does a second playground cost a page that has one? Processor time of the page's main thread, which other programs
-// disturb less than the clock; `cargo xtask latency` builds dist/ first. Nothing here fails on a slow machine.
+// What does a second playground cost a page that has one? Processor time of the page's main thread, which other
+// programs disturb less than the clock; `cargo xtask latency` builds dist/ first. Nothing here fails on a slow machine.
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";

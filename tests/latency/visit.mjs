@@ -1,5 +1,6 @@
-// How soon does a first visit over a slow network see the picture, and the first live plan? `cargo xtask latency` builds dist/
-// first. The network is DevTools' "Fast 3G"; files come compressed, as static hosts serve them. Nothing here fails on a slow machine.
+// How soon does a first visit over a slow network see the picture, and the first live plan? `cargo xtask latency`
+// builds dist/ first. The network is DevTools' "Fast 3G"; files come compressed, as static hosts serve them. Nothing
+// here fails on a slow machine.
 import { withBrowser } from "../e2e/browser.js";
 import { serve } from "../e2e/server.js";
 import { quantile } from "../quantile.mjs";
@@ -53,7 +54,10 @@ async function visit(browser, url, viewport) {
   return seen;
 }
 
-/** Runs in the page: notes the first picture (the poster, or else the first paint), the first plan that is there, and what moves. */
+/**
+ * Runs in the page: notes the first picture (the poster, or else the first paint), the first plan that is there, and
+ * what moves.
+ */
 function watch() {
   window.visit = { shift: 0 };
   new PerformanceObserver((list) => {

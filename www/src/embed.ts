@@ -1,6 +1,6 @@
 /**
- * The bare frame: `embed.html#s=<scene>&layout=single&controls=minimal`. Its attributes are the element's, the scene is a share
- * link's. It talks with the page around it by messages of the form `{ type: "parkade:<name>", … }`.
+ * The bare frame: `embed.html#s=<scene>&layout=single&controls=minimal`. Its attributes are the element's, the scene is
+ * a share link's. It talks with the page around it by messages of the form `{ type: "parkade:<name>", … }`.
  */
 import { ParkadePlayground } from "./element/loader";
 import { ATTRIBUTES, EVENTS, METHODS, SETTABLE } from "./element/public-api";

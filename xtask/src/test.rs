@@ -119,7 +119,8 @@ fn run_all() -> Vec<Outcome> {
     outcomes
 }
 
-/// Suites in a process of lower priority: a browser that waits fails its tests. What they print is shown when they have ended.
+/// Suites in a process of lower priority: a browser that waits fails its tests. What they print is shown when they have
+/// ended.
 struct Company {
     process: Child,
     log: PathBuf,

@@ -1,4 +1,7 @@
-/** Markdown of the lessons: formulas become MathML, and `<lab-figure>` becomes a figure with its still. Both while the site is built. */
+/**
+ * Markdown of the lessons: formulas become MathML, and `<lab-figure>` becomes a figure with its still. Both while the
+ * site is built.
+ */
 import { tex } from "@mdit/plugin-tex";
 import temml from "temml";
 import type { MarkdownRenderer } from "vitepress";
@@ -38,7 +41,9 @@ function attribute(attributes: string, name: string): string {
 
 const engine = parkade as unknown as Engine;
 
-/** The task, the still, the controls, the numbers and the answer; places for all of them, so that nothing moves later. */
+/**
+ * The task, the still, the controls, the numbers and the answer; places for all of them, so that nothing moves later.
+ */
 function figureHtml(md: MarkdownRenderer, attributes: string, lang: Lang): string {
   const id = attribute(attributes, "id"),
     figure = figureOf(id);

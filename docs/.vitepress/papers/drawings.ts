@@ -274,7 +274,9 @@ export function cornersPicture(): string {
   return `${opened(360, 290)}${parts.join("")}</svg>`;
 }
 
-/** Figure 6: a body and a line of an obstacle, projected onto the line's normal: apart on the left, met on the right. */
+/**
+ * Figure 6: a body and a line of an obstacle, projected onto the line's normal: apart on the left, met on the right.
+ */
 export function separatingPicture(): string {
   const panel = (left: number, heading: number, up: number, verdict: "apart" | "meets"): string => {
     const { at } = carView(heading, [left + 70, 150 - up], 30);

@@ -1,4 +1,7 @@
-/** The papers' pages: their tables beside ours, computed anew while the site is built, with figures that can be played with. */
+/**
+ * The papers' pages: their tables beside ours, computed anew while the site is built, with figures that can be played
+ * with.
+ */
 import { init, scenarios } from "../../../pkg/node.js";
 import { escaped, firstFigures, heading, isClaims, markdown, type Block, type Figure, type Lang } from "./blocks";
 import { comparison, comparisonBlocks } from "./comparison";

@@ -145,7 +145,10 @@ function summary(rows) {
   return [table(head, lines, "markdown"), ...(words.length > 0 ? ["\n"] : []), ...words].join("");
 }
 
-/** With several vehicles, each has a picture of its own. @param {string} file @param {string} id @param {readonly AuditRow[]} rows */
+/**
+ * With several vehicles, each has a picture of its own. @param {string} file @param {string} id @param {readonly
+ * AuditRow[]} rows
+ */
 function named(file, id, rows) {
   if (rows.every(({ vehicle }) => vehicle === id)) return file;
   const extension = extname(file);
@@ -158,7 +161,10 @@ const HATCH = `<pattern id="out-of-reach" width="8" height="8" patternUnits="use
 const WIDTH = 1200,
   RIM = 24;
 
-/** The scene with each bay filled by the fewest moves. @param {import("../index.js").Scenario} scene @param {readonly AuditRow[]} rows */
+/**
+ * The scene with each bay filled by the fewest moves. @param {import("../index.js").Scenario} scene @param {readonly
+ * AuditRow[]} rows
+ */
 function picture(scene, rows) {
   const { boundary, slots } = sceneGeometry(scene);
   const [xs, ys] = [boundary.map(([x]) => x), boundary.map(([, y]) => y)];

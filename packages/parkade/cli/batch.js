@@ -13,12 +13,18 @@ import { scenes } from "./scenes.js";
 
 /** @typedef {import("./results.js").Result} Result */
 /** @typedef {import("./results.js").Extras} Extras */
-/** @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner: import("../index.js").PlannerId | "audit", config: Record<string, unknown>, extras: Extras }} Task */
+/**
+ * @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner:
+ * import("../index.js").PlannerId | "audit", config: Record<string, unknown>, extras: Extras }} Task
+ */
 
 /** The name of audits among planners. @type {"audit"} */
 const AUDIT = "audit";
 
-/** Time a thread should be away with a group of tasks: far above what a message costs, and no result waits long to be written. */
+/**
+ * Time a thread should be away with a group of tasks: far above what a message costs, and no result waits long to be
+ * written.
+ */
 const GROUP_MS = 50;
 /** Tasks in a group at most. */
 const GROUP = 256;

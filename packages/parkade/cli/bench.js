@@ -43,7 +43,10 @@ export async function bench(places, values) {
   return results.some(({ outcome }) => outcome !== "found") ? 1 : 0;
 }
 
-/** @param {import("../index.js").PlannerId} planner @param {{ place: string, scene: import("../index.js").Scenario }} asked */
+/**
+ * @param {import("../index.js").PlannerId} planner @param {{ place: string, scene: import("../index.js").Scenario }}
+ * asked
+ */
 function planned(planner, { place, scene }) {
   const prepared = of(place, () => new Planner(planner, scene));
   const from = performance.now();

@@ -18,7 +18,10 @@ const GROUP = 50_000;
 /** @typedef {import("./results.js").Result} Result */
 /** @typedef {Record<string, any>} Row */
 
-/** Name, type and value. @typedef {[name: string, type: "STRING" | "INT64" | "DOUBLE" | "BOOLEAN", of: (result: any) => unknown]} Column */
+/**
+ * Name, type and value. @typedef {[name: string, type: "STRING" | "INT64" | "DOUBLE" | "BOOLEAN", of: (result: any) =>
+ * unknown]} Column
+ */
 
 /** Of plans. @type {Column[]} */
 const COLUMNS = [
@@ -67,7 +70,10 @@ const BAYS = [
   ...COLUMNS.filter(([name]) => name.startsWith("error_")),
 ];
 
-/** Columns of a way in or out. @param {string} prefix @param {(row: Row) => Row | null | undefined} way @returns {Column[]} */
+/**
+ * Columns of a way in or out. @param {string} prefix @param {(row: Row) => Row | null | undefined} way @returns
+ * {Column[]}
+ */
 function ways(prefix, way) {
   return [
     [`${prefix}reachable`, "BOOLEAN", (row) => way(row)?.["reachable"]],
@@ -89,7 +95,9 @@ const NEEDED = ["key", "scene", "planner", "settings", "version"];
 /** @param {Result} result @returns {Row} */
 const rowOf = (result) => valuesOf(result.path === undefined ? COLUMNS : [...COLUMNS, PATH], result);
 
-/** A row for each bay; one that tells its error for a scene that was refused. @param {Result} result @returns {Row[]} */
+/**
+ * A row for each bay; one that tells its error for a scene that was refused. @param {Result} result @returns {Row[]}
+ */
 function baysOf(result) {
   const rows = /** @type {Row[]} */ (result["rows"] ?? [{}]);
   return rows.map((row) => valuesOf(BAYS, { ...result, ...row }));
@@ -98,7 +106,10 @@ function baysOf(result) {
 /** @param {Column[]} columns @param {object} result @returns {Row} */
 const valuesOf = (columns, result) => Object.fromEntries(columns.map(([name, , of]) => [name, of(result) ?? null]));
 
-/** What `of` makes of the newest result of each key in files of lines. @template T @param {string[]} files @param {(result: Result) => T} of */
+/**
+ * What `of` makes of the newest result of each key in files of lines. @template T @param {string[]} files @param
+ * {(result: Result) => T} of
+ */
 async function newest(files, of) {
   /** @type {Map<string, T>} */
   const rows = new Map();

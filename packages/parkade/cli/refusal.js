@@ -75,7 +75,10 @@ export function explained({ path, message }) {
   return words === undefined ? message : message + meant(got, words.split(/, | or /));
 }
 
-/** Damerau and Levenshtein's: letters that are wrong, missing, too many, or swapped with the next. @param {string} a @param {string} b */
+/**
+ * Damerau and Levenshtein's: letters that are wrong, missing, too many, or swapped with the next. @param {string} a
+ * @param {string} b
+ */
 function distance(a, b) {
   /** @type {number[][]} */
   const rows = [Array.from({ length: b.length + 1 }, (_, i) => i)];

@@ -6,7 +6,10 @@ import { Refused, unwritten } from "./refusal.js";
 import { page } from "./report-page.js";
 
 /** @typedef {import("./parquet.js").Row} Row */
-/** @typedef {{ name: string, rows: Row[], by: Map<string, Row> }} Contender planners with their settings, their rows, and these by scene */
+/**
+ * @typedef {{ name: string, rows: Row[], by: Map<string, Row> }} Contender planners with their settings, their rows,
+ * and these by scene
+ */
 /** @typedef {{ id: string, title: string, unit: string, digits: number }} Figure */
 
 /** Figures whose quantiles are told. @type {Figure[]} */

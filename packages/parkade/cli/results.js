@@ -9,7 +9,9 @@ import { Refused, reason } from "./refusal.js";
 /**
  * A scene planned by a planner, or why it could not be.
  * `superseded` ends a result: its scene is another one by now.
- * @typedef {{ key: string, scene: string, planner: string, settings: Record<string, unknown>, superseded?: true, outcome?: string, verdict?: string, hash?: string, path?: unknown, seconds?: number, error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
+ * @typedef {{ key: string, scene: string, planner: string, settings: Record<string, unknown>, superseded?: true,
+ * outcome?: string, verdict?: string, hash?: string, path?: unknown, seconds?: number, error?: { code: string, path:
+ * string, message: string }, [figure: string]: unknown }} Result
  */
 
 /** The part of a written result that is kept in memory. @param {Result} result @returns {Result} */
@@ -36,7 +38,10 @@ export const isShort = (result, { paths, times }) =>
 export const questionOf = ({ scene, planner, settings }) =>
   JSON.stringify([scene, planner, Object.entries(settings ?? {}).sort()]);
 
-/** True if a result stays when its scene is planned again: one that ran out of time does not. @param {Result | undefined} result */
+/**
+ * True if a result stays when its scene is planned again: one that ran out of time does not. @param {Result |
+ * undefined} result
+ */
 export const isFinal = (result) =>
   result !== undefined && result.superseded !== true && result.error?.code !== "timeout";
 
@@ -65,7 +70,10 @@ export async function* read(file) {
 /** How a line of results begins. */
 const BEGINNING = '{"key":"';
 
-/** Removes the partial last line of a run that was stopped while writing; other text is somebody else's. @param {string} file */
+/**
+ * Removes the partial last line of a run that was stopped while writing; other text is somebody else's. @param {string}
+ * file
+ */
 export async function mend(file) {
   const size = await stat(file).then(
     (one) => one.size,

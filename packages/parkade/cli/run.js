@@ -13,7 +13,9 @@ import { Refused, explained, meant } from "./refusal.js";
 /** The module of this process's commands. @type {Promise<WebAssembly.Module> | undefined} */
 let module;
 
-/** Runs a command line, says what is wrong, and gives the exit code. @param {string[]} args @returns {Promise<number>} */
+/**
+ * Runs a command line, says what is wrong, and gives the exit code. @param {string[]} args @returns {Promise<number>}
+ */
 export async function answer(args) {
   try {
     return await run(args);

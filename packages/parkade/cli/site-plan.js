@@ -12,7 +12,8 @@ export const isSitePlan = (place) => /\.(dxf|svg|geojson|osm)$/i.test(place);
 
 /**
  * @param {string} place
- * @param {{ role?: string[] | undefined, unit?: number | undefined }} [options] `LAYER=ROLE`, and metres per unit of the file
+ * @param {{ role?: string[] | undefined, unit?: number | undefined }} [options] `LAYER=ROLE`, and metres per unit of
+ * the file
  * @returns {Promise<import("../index.js").Scenario>}
  */
 export async function sitePlan(place, { role = [], unit } = {}) {

@@ -5,13 +5,16 @@ import { packedScene } from "../cells.js";
 import { WorkerPool } from "./pool.js";
 
 /**
- * Of the place where it runs: how a worker is started, how the module is compiled from an address (by default the file of the
- * package), and how many workers run at the same time.
+ * Of the place where it runs: how a worker is started, how the module is compiled from an address (by default the file
+ * of the package), and how many workers run at the same time.
  * @typedef {{ spawn(): any, compile(wasm?: URL | string): Promise<WebAssembly.Module>, most(): number }} Host
  * @typedef {import("./protocol.js").Job} Job
- * @typedef {{ signal?: AbortSignal, onProgress?: (expansions: number) => void, onImproved?: (plan: any) => void, onExpanded?: (events: any) => void }} Ears
- * @typedef {Ears & { fields: any, transfer?: ArrayBuffer[], done(result: any): void, failed(error: unknown): void, detach(): void }} Task
- * @typedef {{ task: Task, id: number, stop: SharedArrayBuffer | undefined, grace?: ReturnType<typeof setTimeout> }} Running
+ * @typedef {{ signal?: AbortSignal, onProgress?: (expansions: number) => void, onImproved?: (plan: any) => void,
+ * onExpanded?: (events: any) => void }} Ears
+ * @typedef {Ears & { fields: any, transfer?: ArrayBuffer[], done(result: any): void, failed(error: unknown): void,
+ * detach(): void }} Task
+ * @typedef {{ task: Task, id: number, stop: SharedArrayBuffer | undefined, grace?: ReturnType<typeof setTimeout> }}
+ * Running
  */
 
 /** Milliseconds after which a search that was asked to end is ended with its worker. */
@@ -102,7 +105,8 @@ class Pool {
 }
 
 /**
- * A value as the worker shall have it, whatever becomes of it here. Proxies of frameworks cannot be cloned, but they can be read.
+ * A value as the worker shall have it, whatever becomes of it here. Proxies of frameworks cannot be cloned, but they
+ * can be read.
  * @param {any} value
  * @param {string} path
  */
@@ -307,7 +311,9 @@ class WorkerPlanner {
     });
   }
 
-  /** What a callback throws ends the search, as it does without a worker. @param {Task} task @param {() => void} told */
+  /**
+   * What a callback throws ends the search, as it does without a worker. @param {Task} task @param {() => void} told
+   */
   #tell(task, told) {
     try {
       told();

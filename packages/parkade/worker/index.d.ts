@@ -31,7 +31,10 @@ export interface WorkerPlanner<Id extends PlannerId = PlannerId> {
   plan(options: WorkerPlanOptions<Id>): Promise<PlanOf<Id> & { layers: Partial<Record<LayerName, Layer>> }>;
   /** `optimise` of the package, beside the page: it takes 30 ms and more. */
   optimise(plan: DrivenPath, options?: OptimiseOptions & { signal?: AbortSignal }): Promise<OptimisedTrajectory>;
-  /** Another scene, and other settings where they are given, for what is asked from now on. A scene that is refused changes nothing. */
+  /**
+   * Another scene, and other settings where they are given, for what is asked from now on. A scene that is refused
+   * changes nothing.
+   */
   update(scene: Scenario, settings?: PlannerSettings[Id]): Promise<void>;
   /** Ends what runs, rejects what waits with code "freed", and gives the worker back. Again, it does nothing. */
   free(): void;
@@ -39,9 +42,9 @@ export interface WorkerPlanner<Id extends PlannerId = PlannerId> {
 }
 
 /**
- * Prepares a planner in a worker of the common pool: as many workers as processors in Node.js, 6 to 8 in browsers. They are started
- * when they are needed, and end when none has been used for a minute. Rejects with ParkadeError where scene or settings are refused.
- * The scene is copied: later changes of the object change nothing.
+ * Prepares a planner in a worker of the common pool: as many workers as processors in Node.js, 6 to 8 in browsers. They
+ * are started when they are needed, and end when none has been used for a minute. Rejects with ParkadeError where scene
+ * or settings are refused. The scene is copied: later changes of the object change nothing.
  */
 export function createPlanner<Id extends PlannerId>(
   planner: Id, scene: Scenario, settings?: PlannerSettings[Id],
@@ -74,9 +77,9 @@ export interface Pool {
 export function createPool(options?: PoolOptions): Pool;
 
 /**
- * Of many calls that overtake each other, as while something is dragged, runs one at a time and keeps the newest: a call that a newer
- * one overtakes resolves to undefined. A run that takes longer than `giveUpAfter` (1000 ms) while a newer one waits is aborted by
- * the signal that it is given.
+ * Of many calls that overtake each other, as while something is dragged, runs one at a time and keeps the newest: a
+ * call that a newer one overtakes resolves to undefined. A run that takes longer than `giveUpAfter` (1000 ms) while a
+ * newer one waits is aborted by the signal that it is given.
  */
 export function latest<Args extends unknown[], Result>(
   run: (signal: AbortSignal, ...args: Args) => Promise<Result>, options?: { giveUpAfter?: number },

@@ -1,7 +1,10 @@
 // @ts-check
 // Workers shared by many planners; `pool.d.ts` documents it.
 
-/** A holder that asked for a worker while none was free. @typedef {{ holder: import("./pool.js").Holder, give: (worker: any) => void }} Waiting */
+/**
+ * A holder that asked for a worker while none was free. @typedef {{ holder: import("./pool.js").Holder, give: (worker:
+ * any) => void }} Waiting
+ */
 /** @typedef {{ worker: any, holder: import("./pool.js").Holder | null }} Member */
 
 /** @type {typeof import("./pool.js").mostWorkers} */
@@ -79,7 +82,9 @@ export class WorkerPool {
     this.#serve();
   }
 
-  /** Workers at rest are kept while some holder is at work, and a little longer: a reader scrolls on to the next figure. */
+  /**
+   * Workers at rest are kept while some holder is at work, and a little longer: a reader scrolls on to the next figure.
+   */
   #empty() {
     clearTimeout(this.#leaving);
     this.#leaving = setTimeout(() => {

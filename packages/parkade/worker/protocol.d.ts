@@ -5,7 +5,10 @@ export type Message = { kind: "start"; module: WebAssembly.Module } | Job;
 
 interface Base {
   id: number;
-  /** A planner that the worker does not have yet; it takes the place of the one before. `before`: the path that its planner goes on from. */
+  /**
+   * A planner that the worker does not have yet; it takes the place of the one before. `before`: the path that its
+   * planner goes on from.
+   */
   prepare: { planner: PlannerId; scene: Scenario; settings: object; before: HybridPlan | undefined } | undefined;
 }
 

@@ -71,8 +71,8 @@ export class App {
   ) {}
 
   /**
-   * Loads the planners and the first scene, the address's or else the given one or the preset's, and plans it; `loaded` comes
-   * before the plans. `drives`: the car then parks once.
+   * Loads the planners and the first scene, the address's or else the given one or the preset's, and plans it; `loaded`
+   * comes before the plans. `drives`: the car then parks once.
    */
   async start({ preset, syncAddress, drives, given, wanted, loaded }: Beginning): Promise<void> {
     const { signal } = (this.starting = new AbortController());
@@ -144,7 +144,10 @@ export class App {
     this.stopSaving = await startAutosave(this).catch(() => null);
   }
 
-  /** Fetches code that the first picture does without. Browsers remember which scripts did not come: only another visit fetches them. */
+  /**
+   * Fetches code that the first picture does without. Browsers remember which scripts did not come: only another visit
+   * fetches them.
+   */
   async fetchPart(part: () => Promise<unknown>): Promise<void> {
     await part().catch(() => this.refuse("error.part", {}));
   }

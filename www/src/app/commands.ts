@@ -78,8 +78,8 @@ export function runChord(app: App, chord: string): boolean {
 }
 
 /**
- * A key press as its modifiers and key: `Mod+Z`, `V`, `?`. `Mod` is Ctrl, and ⌘ on a Mac. Shift counts where it does not make
- * another character. Null with Alt, which belongs to the browser.
+ * A key press as its modifiers and key: `Mod+Z`, `V`, `?`. `Mod` is Ctrl, and ⌘ on a Mac. Shift counts where it does
+ * not make another character. Null with Alt, which belongs to the browser.
  */
 export function chordOf({ key, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent): string | null {
   if (altKey) return null;

@@ -1,4 +1,7 @@
-/** What comes once the first picture is there: better paths, trajectories, a place of the car that stays, and commands that edit. */
+/**
+ * What comes once the first picture is there: better paths, trajectories, a place of the car that stays, and commands
+ * that edit.
+ */
 import { follow as followPlans } from "../planning/improver";
 import { followSmooth } from "../planning/smoother";
 import { keepPlace } from "../view/keep-place";

@@ -27,7 +27,10 @@ interface Kept {
   parts: unknown[];
 }
 
-/** The history as text with as many of the nearest steps as fit; null where not even the scene does. `hash` is the address it belongs to. */
+/**
+ * The history as text with as many of the nearest steps as fit; null where not even the scene does. `hash` is the
+ * address it belongs to.
+ */
 export function encodeHistory({ past, scene, future }: History, hash: string): string | null {
   const numbers = new Map<unknown, number>(),
     texts: string[] = [];

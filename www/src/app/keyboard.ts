@@ -5,7 +5,10 @@ const TYPING = "input:not([type=checkbox]):not([type=range]), textarea, [content
 /** Keys that move sliders, press buttons and pick options belong to the control that has the focus. */
 const CONTROL_KEYS = /^( |Enter|Tab|Arrow|Home|End|Page)/;
 
-/** Keys of the whole playground, while the focus is in it; of one that is alone on its page, also while it is nowhere in particular. */
+/**
+ * Keys of the whole playground, while the focus is in it; of one that is alone on its page, also while it is nowhere in
+ * particular.
+ */
 export function listenToKeys(host: HTMLElement & { alone: boolean; viewing: boolean }, app: App): () => void {
   const listen = (event: KeyboardEvent): void => {
     if (event.defaultPrevented || host.viewing || !isOurs(host, event)) return;

@@ -13,7 +13,10 @@ export const LINK_LIMIT = 8000;
 const linkFormat = () => import("../scene/link");
 const viewFormat = () => import("./view-link");
 
-/** A link's view: what it names, and what that is where these planners and this map are known; `read` throws where it makes no sense. */
+/**
+ * A link's view: what it names, and what that is where these planners and this map are known; `read` throws where it
+ * makes no sense.
+ */
 export interface LinkView {
   planners: PlannerId[];
   read(known: Known): Partial<State>;
@@ -50,7 +53,9 @@ export class LinkSync {
     clearTimeout(this.timer);
   }
 
-  /** The address of `page` that opens the present scene, if wanted as it is looked at; null when it would be too long. */
+  /**
+   * The address of `page` that opens the present scene, if wanted as it is looked at; null when it would be too long.
+   */
   async address(looks = false, page = location.href): Promise<string | null> {
     const { scene } = this.store.state,
       url = new URL(page);

@@ -1,4 +1,7 @@
-/** What values from outside must be: of a link's view, of messages and properties, of what the browser keeps. One table, bounds included. */
+/**
+ * What values from outside must be: of a link's view, of messages and properties, of what the browser keeps. One table,
+ * bounds included.
+ */
 import type { ParameterInfo, PlannerInfo } from "parkade";
 import type { Lang, Values } from "../i18n/index";
 import messages from "../i18n/messages/rules.json";
@@ -211,7 +214,10 @@ export const numeral = (text: string | undefined): number => (text ? Number(text
 /** The number, or else the text that is none. */
 const figure = (text: string): unknown => (Number.isNaN(numeral(text)) ? text : numeral(text));
 
-/** What the browser keeps of a setting, by its key's beginning; other keys are somebody else's, or look after themselves. */
+/**
+ * What the browser keeps of a setting, by its key's beginning; other keys are somebody else's, or look after
+ * themselves.
+ */
 const STORED: Record<string, (text: string) => [value: unknown, rule: Rule]> = {
   "parkade.theme": (text) => [text, RULES.theme()],
   "parkade.lang": (text) => [text, RULES.lang()],

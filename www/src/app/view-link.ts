@@ -11,7 +11,10 @@ const WAYS = ["drive-percent", "search-percent", "search-expansions"] as const;
 const CHOICE = "!";
 const FINE = 100,
   STEPS = 10_000;
-/** Among the bits of the layers, which leave it free: paths are driven as planned. Views without it are older than trajectories. */
+/**
+ * Among the bits of the layers, which leave it free: paths are driven as planned. Views without it are older than
+ * trajectories.
+ */
 const UNSMOOTHED = 14;
 
 type Looks = Pick<State, "mode" | "focus" | "planners" | "layers" | "playback" | "camera" | "prefer" | "smooth">;

@@ -21,8 +21,8 @@ export { colours } from "./colours";
 type Layout = State["mode"] | "single";
 
 /**
- * A playground in somebody else's page: looked at until somebody wants to edit, quiet out of sight, and never in the way of
- * the page's wheel and keys. `loader.ts` puts it into `<parkade-playground>` and passes its attributes on.
+ * A playground in somebody else's page: looked at until somebody wants to edit, quiet out of sight, and never in the
+ * way of the page's wheel and keys. `loader.ts` puts it into `<parkade-playground>` and passes its attributes on.
  */
 export class Embedded extends SceneOpening {
   static override properties = {

@@ -1,9 +1,15 @@
-/** True if the page around an element is light or dark: themes of documentation sites switch by attribute or class, not by the reader's system. */
+/**
+ * True if the page around an element is light or dark: themes of documentation sites switch by attribute or class, not
+ * by the reader's system.
+ */
 import { parseColour } from "../view/tokens";
 
 export type Scheme = "light" | "dark";
 
-/** Attributes by which themes are switched: VitePress and Tailwind have classes, Docusaurus and Starlight `data-theme`, Material for MkDocs its own. */
+/**
+ * Attributes by which themes are switched: VitePress and Tailwind have classes, Docusaurus and Starlight `data-theme`,
+ * Material for MkDocs its own.
+ */
 const ATTRIBUTES = [
   "data-theme",
   "data-bs-theme",

@@ -23,7 +23,10 @@ button.poster { cursor: pointer; }
 
 type Name = (typeof METHODS)[number];
 
-/** What is made from the lists in `vocabulary.ts`; every method gives a promise, because its code may have to come first. */
+/**
+ * What is made from the lists in `vocabulary.ts`; every method gives a promise, because its code may have to come
+ * first.
+ */
 export interface ParkadePlayground extends Record<Name, (...args: never[]) => Promise<unknown>> {
   setScene(scene: import("parkade").Scenario): Promise<void>;
   openLink(link: string): Promise<void>;
@@ -38,7 +41,10 @@ export interface ParkadePlayground extends Record<Name, (...args: never[]) => Pr
 export class ParkadePlayground extends Base {
   static readonly observedAttributes = [...ATTRIBUTES, "poster", "alt", "loading", "reveal"];
 
-  /** Resolves when the first scene is planned; rejects where it cannot be opened, and is another promise once a valid one follows. */
+  /**
+   * Resolves when the first scene is planned; rejects where it cannot be opened, and is another promise once a valid
+   * one follows.
+   */
   ready!: Promise<void>;
   private settle!: { ready(): void; failed(error: unknown): void };
   private readonly root = this.attachShadow({ mode: "open" });

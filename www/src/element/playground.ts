@@ -20,9 +20,9 @@ export const FIRST_SCENE = "perpendicular";
 /**
  * Draws a scene and plans it with several planners at once: the page. What other pages embed is `Embedded`.
  *
- * Attributes: `scene` (a preset's id), `planners` (ids, spaced), `layout` (grid, overlay, focus), `theme` (auto, light, dark),
- * `lang` (en, zh), `permalink` (keeps the scene in the page's address).
- * Events: `ready`, `scene-change` { scene, reason, transient }, `plan-result` { planner, plan }.
+ * Attributes: `scene` (a preset's id), `planners` (ids, spaced), `layout` (grid, overlay, focus), `theme` (auto, light,
+ * dark), `lang` (en, zh), `permalink` (keeps the scene in the page's address). Events: `ready`, `scene-change` { scene,
+ * reason, transient }, `plan-result` { planner, plan }.
  */
 export class Playground extends LitElement {
   static override properties = {

@@ -5,10 +5,16 @@ import { oneOf, ValueError } from "../app/schema";
 import { messageOf } from "../i18n/said";
 import { fieldsOf } from "../scene/keys";
 
-/** Events of other elements have these names too, and pages listen for them further out; `error` would reach `window.onerror`. */
+/**
+ * Events of other elements have these names too, and pages listen for them further out; `error` would reach
+ * `window.onerror`.
+ */
 const OWN_EVENTS: readonly string[] = ["error", "select"];
 
-/** How an embedded playground gets its scenes, and says what is wrong with them. A scene that cannot be opened leaves room for the next one. */
+/**
+ * How an embedded playground gets its scenes, and says what is wrong with them. A scene that cannot be opened leaves
+ * room for the next one.
+ */
 export abstract class SceneOpening extends Playground {
   declare src: string | null;
   /** A scene written into the page. */

@@ -6,7 +6,10 @@ import { nth } from "../scene/nth";
 
 const TITLE = 28;
 
-/** A picture of the maps as they are on screen, `scale` pixels for each of the page's, each under its planner's name and answer. */
+/**
+ * A picture of the maps as they are on screen, `scale` pixels for each of the page's, each under its planner's name and
+ * answer.
+ */
 export async function picture(
   app: App,
   views: readonly SceneView[],

@@ -10,7 +10,10 @@ export type Lang = "en" | "zh";
 export type MessageKey = keyof typeof first | keyof typeof later;
 export type Values = Record<string, string | number | Said>;
 export type Translate = (key: MessageKey, values?: Values) => string;
-/** English and Chinese of each key. The build leaves the English in its place, and puts the Chinese of all files into one. */
+/**
+ * English and Chinese of each key. The build leaves the English in its place, and puts the Chinese of all files into
+ * one.
+ */
 export type Messages = Record<string, string | string[]>;
 
 type Table = Record<string, string>;

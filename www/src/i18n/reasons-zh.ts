@@ -1,6 +1,9 @@
 import type { Said } from "./said";
 
-/** Chinese for the reasons that the planners, importers and links give, and for the papers' claims: a catalogue by their English templates. `{}` is a value. */
+/**
+ * Chinese for the reasons that the planners, importers and links give, and for the papers' claims: a catalogue by their
+ * English templates. `{}` is a value.
+ */
 export interface Catalogue {
   reasons: Record<string, string>;
   /** Values that are words themselves, and what a rule is about where it is named before "must". */

@@ -62,7 +62,8 @@ export abstract class AppElement extends LitElement {
     if (changed.has("app") && !this.stop) this.watch();
   }
 
-  // Not the update waits: Lit gives an element that was there before its code the properties of then with the first one.
+  // Not the update waits: Lit gives an element that was there before its code the properties of then with the first
+  // one.
   protected override shouldUpdate(): boolean {
     if (!this.waits) return true;
     this.room ??= boxed(this).then(() => {

@@ -200,7 +200,10 @@ export const yOf = (plot: Plot, value: number): number => {
 
 const drawn = new WeakMap<object, Map<string, { key: string; text: string }>>();
 
-/** A line as SVG, drawn again only where the axes or the answer have changed: one planner's answer leaves the others' lines. */
+/**
+ * A line as SVG, drawn again only where the axes or the answer have changed: one planner's answer leaves the others'
+ * lines.
+ */
 export function pathOf(plot: Plot, line: Line, axis: Axis, total: number): string {
   const series = seriesOf(line, plot.quantity),
     of = ofPath(plot.quantity) ? line.plan : line.drive;

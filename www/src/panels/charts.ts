@@ -53,7 +53,9 @@ const UNITS: Record<Quantity, string> = {
 };
 const say = words("charts", messages);
 
-/** Curvature, clearance and speed along the path, or the car's motion in time; marked where the pointer is on the map. */
+/**
+ * Curvature, clearance and speed along the path, or the car's motion in time; marked where the pointer is on the map.
+ */
 export class Charts extends AppElement {
   static override properties = { ...AppElement.properties, axis: { state: true } };
   static override styles = [

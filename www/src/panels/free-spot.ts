@@ -23,7 +23,10 @@ const SHIFTS = [0, -0.25, 0.25, -0.42, 0.42];
 
 const rounded = ([x, y]: Point): Point => [Math.round(x), Math.round(y)];
 
-/** The first place at a side of `anchor` where a box of this size is inside `bounds` and meets none of `taken`; null where there is none. */
+/**
+ * The first place at a side of `anchor` where a box of this size is inside `bounds` and meets none of `taken`; null
+ * where there is none.
+ */
 export function freeSpot(
   anchor: Box,
   { offsetWidth: width, offsetHeight: height }: { offsetWidth: number; offsetHeight: number },

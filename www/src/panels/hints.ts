@@ -30,7 +30,9 @@ interface Anchor {
   near: readonly Box[];
 }
 
-/** Hints for the next step: one sentence beside the thing it names, over no control and no text, until the first action. */
+/**
+ * Hints for the next step: one sentence beside the thing it names, over no control and no text, until the first action.
+ */
 export class Hints extends AppElement {
   static override properties = { ...AppElement.properties, bubble: { state: true } };
   static override styles = [

@@ -13,7 +13,9 @@ import "./trajectory-card";
 import "./vehicle-card";
 import "./any-angle-card";
 
-/** The column at the right: the tool in hand, what is selected, the car, the focused planner's settings, every object. */
+/**
+ * The column at the right: the tool in hand, what is selected, the car, the focused planner's settings, every object.
+ */
 export class Inspector extends AppElement {
   static override properties = { ...AppElement.properties, ready: { type: Boolean } };
   static override styles = [

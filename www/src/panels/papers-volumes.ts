@@ -1,4 +1,7 @@
-/** Figures 4 and 5 of the parking paper: volumes around the car, turned by hand, and what they answer on poses at random. */
+/**
+ * Figures 4 and 5 of the parking paper: volumes around the car, turned by hand, and what they answer on poses at
+ * random.
+ */
 import type { VolumeComparison } from "parkade";
 import { css, html, svg, type TemplateResult } from "lit";
 import messages from "../i18n/messages/papers-volumes.json";

@@ -20,7 +20,10 @@ const one = (scene: string, question: Question): Case => ({ scene, question });
 
 export const questionOf = (lang: Lang, { question }: Case): string => say(lang, question);
 
-/** A best case hits nothing, or its question says that the car may not fit; tests/js/cases.test.ts holds what is asserted. */
+/**
+ * A best case hits nothing, or its question says that the car may not fit; tests/js/cases.test.ts holds what is
+ * asserted.
+ */
 export const CASES: readonly (readonly [PlannerId, Cases])[] = [
   [
     "four",

@@ -8,8 +8,8 @@ const GAP = 6,
 const MOVED = ["resize", "scroll"];
 
 /**
- * Which of a host's popovers is open. The platform has it over everything, and closes it on Escape and on a press elsewhere; its
- * button names it by `popovertarget`, so that a second press closes it.
+ * Which of a host's popovers is open. The platform has it over everything, and closes it on Escape and on a press
+ * elsewhere; its button names it by `popovertarget`, so that a second press closes it.
  */
 export class Menus<Name extends string> implements ReactiveController {
   open: Name | null = null;
@@ -84,7 +84,10 @@ export class Menus<Name extends string> implements ReactiveController {
   };
 }
 
-/** Below its button or, where there is no room, above; `right`: their right sides are in line; `beside`: to the right of it. */
+/**
+ * Below its button or, where there is no room, above; `right`: their right sides are in line; `beside`: to the right of
+ * it.
+ */
 function place(popover: HTMLElement, opener: HTMLElement): void {
   const { left, right, top, bottom } = opener.getBoundingClientRect(),
     { offsetWidth: width, offsetHeight: height, classList } = popover;

@@ -106,8 +106,8 @@ export class SceneView extends LitElement {
   }
 
   /**
-   * A drag redraws the map under the pointer at once, the others together with their planners' answers: painting each map
-   * twice a step would keep those answers waiting.
+   * A drag redraws the map under the pointer at once, the others together with their planners' answers: painting each
+   * map twice a step would keep those answers waiting.
    */
   private follow(state: State, previous: State): void {
     const keys = Object.keys(state) as (keyof State)[];

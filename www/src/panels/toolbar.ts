@@ -283,7 +283,10 @@ export class Toolbar extends AppElement {
 const keysOf = (...ids: CommandId[]): string =>
   ids.map((id) => (commands[id]?.keys ?? []).map(shownChord).join(" / ")).join(" ");
 
-/** The scene's title in the page's language, also of a changed preset that came by a link; empty for a drawing without a name. */
+/**
+ * The scene's title in the page's language, also of a changed preset that came by a link; empty for a drawing without a
+ * name.
+ */
 export function sceneTitle(
   preset: string | null,
   infos: readonly { id: string; title: { en: string; zh: string } }[],

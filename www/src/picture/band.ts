@@ -1,4 +1,6 @@
-/** The band that a car stays in during many drives, along a straightened path between what stands beside it; SVG text. */
+/**
+ * The band that a car stays in during many drives, along a straightened path between what stands beside it; SVG text.
+ */
 import type { Scenario } from "parkade";
 import { nth } from "../scene/nth";
 
@@ -11,7 +13,10 @@ const WIDTH = 900,
   REACH = 7,
   CAR_WIDTH = 1.8;
 
-/** `band`: per metre of the path the points farthest left and right, x, y, x, y; drawn `across` times as large across as along. */
+/**
+ * `band`: per metre of the path the points farthest left and right, x, y, x, y; drawn `across` times as large across as
+ * along.
+ */
 export function bandPicture(scene: Scenario, band: Float64Array, title: string, across: number): string {
   const segments = edges(scene),
     count = band.length / 4,

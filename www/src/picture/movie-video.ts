@@ -1,7 +1,9 @@
 /** Moving pictures as video, by the browser's own encoder. */
 import type { Container, Movie } from "./movie-format";
 
-/** What each container may hold, what is best first: names as encoders and as containers know them. Level 4 is 1080p. */
+/**
+ * What each container may hold, what is best first: names as encoders and as containers know them. Level 4 is 1080p.
+ */
 const CODECS = {
   webm: [
     ["vp09.00.40.08", "vp9"],

@@ -1,4 +1,7 @@
-/** Calls of a worker's functions, the worker's side. It imports nothing that the page runs: a worker would load the page with it. */
+/**
+ * Calls of a worker's functions, the worker's side. It imports nothing that the page runs: a worker would load the page
+ * with it.
+ */
 import type { CallReply, CallRequest, Functions } from "./calls";
 import { failureOf } from "./failure";
 

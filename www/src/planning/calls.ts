@@ -1,4 +1,7 @@
-/** Calls of a worker's functions, the page's side: a message there, what the function tells on its way, and one answer or failure back. */
+/**
+ * Calls of a worker's functions, the page's side: a message there, what the function tells on its way, and one answer
+ * or failure back.
+ */
 import type { Failure } from "./protocol";
 
 /** `tell` is a function that takes what there is to tell. */

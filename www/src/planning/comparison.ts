@@ -184,7 +184,10 @@ export const PRINTED_CHANGES = [
   figure: (typeof MEASURED)[number];
 }[];
 
-/** Percent of the middle one of three values by which the one below and the one above change a figure; null without a path. */
+/**
+ * Percent of the middle one of three values by which the one below and the one above change a figure; null without a
+ * path.
+ */
 export function changes(
   samples: readonly Sample[],
   { values, figure }: (typeof PRINTED_CHANGES)[number],

@@ -1,6 +1,6 @@
 /**
- * The first picture's planners and their worker in one file: the page and every worker load the same script. It must import
- * nothing that the page imports too, or workers would load the page.
+ * The first picture's planners and their worker in one file: the page and every worker load the same script. It must
+ * import nothing that the page imports too, or workers would load the page.
  */
 import { Planner, init, planners } from "parkade/core";
 import { serve } from "./plan-worker";

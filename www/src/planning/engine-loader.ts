@@ -6,7 +6,10 @@ import completeUrl from "../../../pkg/parkade_bg.wasm?url";
 /** The small module is asked for no more than it has: its planners, and scenes without sets of goals. */
 type Api = typeof import("./engine-complete");
 
-/** The planners' functions, ready to be called, their compiled module for the workers, and these; of all playgrounds of a page from the same folders. */
+/**
+ * The planners' functions, ready to be called, their compiled module for the workers, and these; of all playgrounds of
+ * a page from the same folders.
+ */
 export interface Engine {
   extent: Extent;
   api: Api;
@@ -15,13 +18,19 @@ export interface Engine {
   script: string;
 }
 
-/** Folders of worker scripts and modules that are not beside this script: pages that embed another host's element need their own copies. */
+/**
+ * Folders of worker scripts and modules that are not beside this script: pages that embed another host's element need
+ * their own copies.
+ */
 export interface Folders {
   worker: string | null;
   wasm: string | null;
 }
 
-/** `core` plans the first picture; `complete` has every planner and format and comes later, or at once where it is needed. */
+/**
+ * `core` plans the first picture; `complete` has every planner and format and comes later, or at once where it is
+ * needed.
+ */
 export type Extent = "core" | "complete";
 
 const SOURCES = {
@@ -61,7 +70,10 @@ const initialised: Partial<Record<Extent, Promise<void>>> = {};
 export const extentFor = (planners: readonly PlannerId[]): Extent =>
   planners.every((planner) => CORE.includes(planner)) ? "core" : "complete";
 
-/** Loads and compiles the planners once, however many playgrounds there are; where all of them are there, nobody begins with fewer. */
+/**
+ * Loads and compiles the planners once, however many playgrounds there are; where all of them are there, nobody begins
+ * with fewer.
+ */
 export function loadEngine(extent: Extent, folders: Folders): Promise<Engine> {
   const loaded = loadedIn(folders);
   if (loaded.whole) return Promise.resolve(loaded.whole);

@@ -180,7 +180,10 @@ class Improver {
     if (improving !== state.improving) this.app.store.set({ improving });
   }
 
-  /** Puts a path in the place of a planner's first answer, whose search, time and work stay in sight; not under a car that drives. */
+  /**
+   * Puts a path in the place of a planner's first answer, whose search, time and work stay in sight; not under a car
+   * that drives.
+   */
   private show(planner: PlannerId, choice: Driven | undefined): void {
     const { results, playback } = this.state,
       result = results[planner];

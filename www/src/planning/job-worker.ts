@@ -84,7 +84,10 @@ const JOBS = {
       made.free();
     }
   },
-  /** What there is to choose from; tells of each path that is better than the first one by what is preferred, or costs less. */
+  /**
+   * What there is to choose from; tells of each path that is better than the first one by what is preferred, or costs
+   * less.
+   */
   improve: (
     {
       planner,

@@ -130,9 +130,9 @@ export class Papers {
   }
 
   /**
-   * Browsers' clocks step by a tenth of a millisecond or more, longer than many searches take. Single times say nothing then,
-   * and no claim is judged by them; but their mean says something: what one search loses to a step another one gains. Times
-   * far beyond the others are the machine's, not the search's.
+   * Browsers' clocks step by a tenth of a millisecond or more, longer than many searches take. Single times say nothing
+   * then, and no claim is judged by them; but their mean says something: what one search loses to a step another one
+   * gains. Times far beyond the others are the machine's, not the search's.
    */
   private takeTimes(figures: Float64Array): number[] {
     const {

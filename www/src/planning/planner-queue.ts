@@ -5,7 +5,10 @@ import type { Scenario } from "parkade";
 import type { Holder, PlanWorkers, WorkerLike } from "./pool";
 import type { Ends, Failure, Layers, Reply, Waiting } from "./protocol";
 
-/** `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given up. */
+/**
+ * `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given
+ * up.
+ */
 export interface Job {
   id: number;
   scene: Scenario;
@@ -202,8 +205,8 @@ export class Lane implements Holder {
   }
 
   /**
-   * A trap leaves the module's memory in an unknown state: the worker is thrown away with it. Its plan is tried once more,
-   * as what filled the memory may have come before it.
+   * A trap leaves the module's memory in an unknown state: the worker is thrown away with it. Its plan is tried once
+   * more, as what filled the memory may have come before it.
    */
   private died(message: string): void {
     const lost = this.running,
@@ -249,7 +252,10 @@ const FIXED: readonly LayerName[] = ["safety", "clearance"];
 
 const endsOf = ({ start, goal }: Scenario): Ends => (isGoalPose(goal) ? { start, goal } : { start });
 
-/** True if nothing else differs, so that a planner of one scene can answer for the other; a slot as goal is emptied for it, a set of goals resolved. */
+/**
+ * True if nothing else differs, so that a planner of one scene can answer for the other; a slot as goal is emptied for
+ * it, a set of goals resolved.
+ */
 function differInEnds(a: Scenario, b: Scenario): boolean {
   const isSame = (key: keyof Scenario): boolean =>
     a[key] === b[key] || key === "start" || (key === "goal" && isGoalPose(a.goal) && isGoalPose(b.goal));

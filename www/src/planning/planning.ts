@@ -13,7 +13,7 @@ import { medians } from "./medians";
 import type { Failure, Reply } from "./protocol";
 
 const SAMPLES = 9;
-/** Silent repeats behind the first time that is shown of a scene; what comes before them is slowed by compilers and caches. */
+/** Silent repeats behind the first time that is shown of a scene: compilers and caches slow what comes before. */
 const WARM_UP = 3;
 /** After so long the warm-up of a planner ends with the repeat that runs. */
 const WARM_UP_MS = 400;
@@ -55,7 +55,7 @@ export class Planning {
     private readonly complete: () => Promise<Engine>,
   ) {}
 
-  /** Planners run on this module from now on: at once, unseen where their answers stay, or with their next plan when they are at work. */
+  /** Planners run on this module from now on: at once, unseen where answers stay; when at work, with the next plan. */
   use(engine: Engine): void {
     if (engine === this.engine) return;
     this.engine = engine;

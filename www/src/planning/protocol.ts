@@ -6,7 +6,10 @@ import type { Scenario } from "parkade";
 export type Request =
   | { kind: "start"; module: WebAssembly.Module; planner: PlannerId }
   | PlanRequest
-  /** Plans silently until `runs` are made or `budget` milliseconds are spent: the last scene, or another after a first plan that does not count. */
+  /**
+   * Plans silently until `runs` are made or `budget` milliseconds are spent: the last scene, or another after a first
+   * plan that does not count.
+   */
   | { kind: "time"; id: number; runs: number; budget: number; scene: Scenario | null; ends: Ends }
   | Explain;
 

@@ -268,7 +268,9 @@ export class SearchReplay {
     return { node: nth(trace.targets, move), g, h, f: g + h + (deferred ? trace.penalty : 0), age: entry, deferred };
   }
 
-  /** The first entries of a side's open list in their order: least f, then the oldest, or least h and then the newest. */
+  /**
+   * The first entries of a side's open list in their order: least f, then the oldest, or least h and then the newest.
+   */
   openList(side: number, count: number): OpenEntry[] {
     const first: OpenEntry[] = [];
     for (const number of this.sides[side]?.open ?? []) {

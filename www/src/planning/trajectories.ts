@@ -26,7 +26,9 @@ export interface Line {
   clearances: Float64Array;
 }
 
-/** The trajectory of a plan's path, driven with waits where obstacles move, and its own path; throws why there is none. */
+/**
+ * The trajectory of a plan's path, driven with waits where obstacles move, and its own path; throws why there is none.
+ */
 export function smoothed({
   scene,
   waiting,

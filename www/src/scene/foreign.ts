@@ -46,7 +46,10 @@ function limit(field: string, unit: string, count: number, most: number): void {
   if (count > most) throw new Error(`${field}: must be at most ${most} ${unit}, got ${count}`);
 }
 
-/** To the planners null is as good as absent, but not to the page; the same object where there is none. Settings may be null. */
+/**
+ * To the planners null is as good as absent, but not to the page; the same object where there is none. Settings may be
+ * null.
+ */
 function withoutNulls<T>(value: T): T {
   if (typeof value !== "object" || value === null || (Array.isArray(value) && typeof value[0] !== "object"))
     return value;

@@ -16,7 +16,10 @@ export interface Gap {
 const ROUNDS = 40;
 const ENOUGH = 1e-6;
 
-/** The gap that leads by `at`, about `width` metres wide; null where nothing is drawn that makes one of that width within `slack`. */
+/**
+ * The gap that leads by `at`, about `width` metres wide; null where nothing is drawn that makes one of that width
+ * within `slack`.
+ */
 export function gapAt(scene: Scene, at: Point, width: number, slack: number): Gap | null {
   const reach = width / 2 + 2 * slack,
     near: Point[] = [
@@ -36,7 +39,10 @@ export function gapAt(scene: Scene, at: Point, width: number, slack: number): Ga
   return best && Math.abs(best.width - width) <= slack ? best : null;
 }
 
-/** The passage between what is nearest on the left and on the right of a pose; null where a side is open for `most` metres. */
+/**
+ * The passage between what is nearest on the left and on the right of a pose; null where a side is open for `most`
+ * metres.
+ */
 export function passageAt(scene: Scene, pose: Pose, most: number): Gap | null {
   const ends = [fromPose(pose, 0, most), fromPose(pose, 0, -most)],
     edges = formsNear(scene, ends).flatMap(edgesOf);
@@ -47,7 +53,10 @@ export function passageAt(scene: Scene, pose: Pose, most: number): Gap | null {
   return gap.width > 0 && gap.width <= most && distance(middle, [pose.x, pose.y]) <= most / 2 ? gap : null;
 }
 
-/** How wide a car is that turns at full lock: from the circle of its outer front corner to that of its inner side, metres. */
+/**
+ * How wide a car is that turns at full lock: from the circle of its outer front corner to that of its inner side,
+ * metres.
+ */
 export function sweptWidth({ minTurningRadius, width, rearToFront }: ResolvedVehicle): number {
   return Math.hypot(minTurningRadius + width / 2, rearToFront) - (minTurningRadius - width / 2);
 }

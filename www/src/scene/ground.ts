@@ -58,7 +58,9 @@ export interface Room {
   outer: number;
 }
 
-/** Nothing that is on the ground ends up off it: what stands inside stays so, what lies across the border keeps to it. */
+/**
+ * Nothing that is on the ground ends up off it: what stands inside stays so, what lies across the border keeps to it.
+ */
 export function roomOf(scene: Scene, side: Side): Room {
   const outline = mapOutline(scene),
     k = axisOf(side),

@@ -25,7 +25,9 @@ export async function pixelsOf(file: File, lang: Lang): Promise<Pixels> {
   }
 }
 
-/** The picture of a map server's description, in the form that importing reads: lightness is the mean of the colours. */
+/**
+ * The picture of a map server's description, in the form that importing reads: lightness is the mean of the colours.
+ */
 export async function pgmOf(file: File, lang: Lang): Promise<readonly [string, Uint8Array<ArrayBuffer>]> {
   const { width, height, data } = await pixelsOf(file, lang);
   const head = new TextEncoder().encode(`P5 ${width} ${height} 255\n`),

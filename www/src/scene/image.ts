@@ -90,7 +90,10 @@ function runsOf(grid: Uint8Array, width: number, height: number): Run[] {
   return runs;
 }
 
-/** The roomiest free cell, and the farthest one from it with the room needed, if there is one; their least distance to a wall. All in cells. */
+/**
+ * The roomiest free cell, and the farthest one from it with the room needed, if there is one; their least distance to a
+ * wall. All in cells.
+ */
 function places(
   grid: Uint8Array,
   width: number,

@@ -17,7 +17,10 @@ const sent = new WeakMap<readonly GivenObstacle[], GivenObstacle[]>();
 /** Remembers what `pack` would make of these runs. */
 export const rememberPacked = (runs: readonly Run[], text: string): void => void texts.set(runs, text);
 
-/** The scene for planners: many cells as a text, which is copied to a worker far faster; the same list for the same obstacles. */
+/**
+ * The scene for planners: many cells as a text, which is copied to a worker far faster; the same list for the same
+ * obstacles.
+ */
 export function forPlanners(scene: GivenScenario, pack: (runs: readonly Run[]) => string): GivenScenario {
   const obstacles = scene?.obstacles ?? [],
     known = sent.get(obstacles);

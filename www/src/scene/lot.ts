@@ -1,4 +1,6 @@
-/** A parking lot from a form: rows of bays along aisles, columns and walls, a car at the entrance and a free bay for it. */
+/**
+ * A parking lot from a form: rows of bays along aisles, columns and walls, a car at the entrance and a free bay for it.
+ */
 import type { Pose, Vehicle, VehicleSpec } from "parkade";
 import { fromPose, radians, type Point } from "./geometry";
 import type { GivenObstacle, GivenSlot, Obstacle, Scenario, Slot } from "./scenario";
@@ -95,7 +97,10 @@ export interface LotFault {
 
 export type Lot = { scene: Scenario; fault: null } | { scene: null; fault: LotFault };
 
-/** Between the car at the entrance and the border behind it; beside it in an aisle; from the last bay to the border. Metres. */
+/**
+ * Between the car at the entrance and the border behind it; beside it in an aisle; from the last bay to the border.
+ * Metres.
+ */
 const BEHIND = 0.5,
   BESIDE = 0.4,
   BEYOND = 5;
@@ -263,7 +268,10 @@ interface Line {
   heading: number;
 }
 
-/** Rows from the bottom: a wall, bays, their aisle, with bays on both sides more bays; whatever depth is left widens the aisles. */
+/**
+ * Rows from the bottom: a wall, bays, their aisle, with bays on both sides more bays; whatever depth is left widens the
+ * aisles.
+ */
 function rowsOf(form: LotForm, sizes: Sizes): { slots: Slot[]; obstacles: GivenObstacle[] } {
   const aisle = aisleOf(form, sizes),
     lines: Line[] = [],

@@ -72,7 +72,9 @@ export function turnRows(scene: Scene, ids: readonly string[]): Scene {
   );
 }
 
-/** The scene with the rows of these slots made large enough for the car; they stay on the ground where it has the room. */
+/**
+ * The scene with the rows of these slots made large enough for the car; they stay on the ground where it has the room.
+ */
 export function fitRows(scene: Scene, ids: readonly string[]): Scene {
   const done = new Set<string>();
   return ids.reduce((next, id) => {

@@ -156,7 +156,10 @@ function between(lines: readonly Segment[], { length: [short, long], apart: [nea
 /** How far one can see from the middle of a side, outwards, metres. */
 const VIEW = 15;
 
-/** The bays as slots, each open at the side that has the most room before it. `solid`: what stands in the way besides other bays. */
+/**
+ * The bays as slots, each open at the side that has the most room before it. `solid`: what stands in the way besides
+ * other bays.
+ */
 export function slotsOf({ quads, lines }: FoundBays, solid: readonly Segment[]): Slot[] {
   const all = [...solid, ...lines, ...quads.flatMap(sidesOf)].map((edge) => ({ edge, box: boxOf(edge) })),
     open = quads.map((quad) => openSide(quad, all));

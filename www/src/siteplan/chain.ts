@@ -2,7 +2,10 @@ import type { SitePlanLine } from "parkade/siteplan";
 import type { Point } from "../scene/geometry";
 import { lastIn, nth } from "../scene/nth";
 
-/** Joins open lines whose ends are within `reach` where no third one meets them; such a line that comes back to its beginning is closed. */
+/**
+ * Joins open lines whose ends are within `reach` where no third one meets them; such a line that comes back to its
+ * beginning is closed.
+ */
 export function chained(lines: readonly SitePlanLine[], reach: number): SitePlanLine[] {
   const open = lines.filter((line) => !line.closed).map(({ points }) => [...points]);
   const ends = new Map<string, number[]>(),

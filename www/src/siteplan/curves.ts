@@ -36,7 +36,10 @@ export function ellipseArc(center: Point, major: Point, minor: Point, from: numb
 export const circleArc = (center: Point, radius: number, from: number, sweep: number): Point[] =>
   ellipseArc(center, [radius, 0], [0, radius], from, sweep);
 
-/** From `a` to `b` without `a`; `bulge` is the tangent of a quarter of the angle, positive to the left of the chord's right. */
+/**
+ * From `a` to `b` without `a`; `bulge` is the tangent of a quarter of the angle, positive to the left of the chord's
+ * right.
+ */
 export function bulged(a: Point, b: Point, bulge: number): Point[] {
   if (Math.abs(bulge) < 1e-6) return [b];
   const sweep = 4 * Math.atan(bulge),

@@ -1,4 +1,7 @@
-/** GeoJSON in degrees of WGS 84 or in metres; the layer of a feature is its property `layer`, or the tag that says what it is. */
+/**
+ * GeoJSON in degrees of WGS 84 or in metres; the layer of a feature is its property `layer`, or the tag that says what
+ * it is.
+ */
 import type { SitePlan, SitePlanLine } from "parkade/siteplan";
 import { boxOf, type Point } from "../scene/geometry";
 import { circleArc } from "./curves";

@@ -1,4 +1,6 @@
-/** OpenStreetMap: `.osm` XML, or the JSON of its query service. Ways and multipolygons with a telling tag, by that tag. */
+/**
+ * OpenStreetMap: `.osm` XML, or the JSON of its query service. Ways and multipolygons with a telling tag, by that tag.
+ */
 import type { SitePlan } from "parkade/siteplan";
 import type { Point } from "../scene/geometry";
 import { layerOf, parsed, projected } from "./read-geojson";

@@ -60,7 +60,10 @@ function below(above: Group, name: string, attribute: Attribute): Group {
   };
 }
 
-/** Metres of paper per unit, where width and view box say it in millimetres and the like; the drawing's scale is not in the file. */
+/**
+ * Metres of paper per unit, where width and view box say it in millimetres and the like; the drawing's scale is not in
+ * the file.
+ */
 function unitOf(attribute: Attribute): number | null {
   const [, size, unit] = /^\s*([\d.]+)\s*([a-z]+)\s*$/.exec(attribute("width") ?? "") ?? [],
     across = Number((attribute("viewBox") ?? "").trim().split(/[\s,]+/)[2]),

@@ -246,7 +246,10 @@ const cornersOf = ({ origin: [x, y], width, height, resolution }: Scenario["map"
   ];
 };
 
-/** In the aisle before a bay, along it, where the car overlaps nothing; in the middle of the ground where there is no such place. */
+/**
+ * In the aisle before a bay, along it, where the car overlaps nothing; in the middle of the ground where there is no
+ * such place.
+ */
 function startFor(slots: readonly Slot[], solids: Solids, outline: readonly Point[], spec: VehicleSpec): Pose {
   const vehicle = vehicleOf(spec),
     parked = slots.map((slot) => footprint(poseInSlot(slot, "reverse-in", vehicle), vehicle));

@@ -16,7 +16,10 @@ export interface Choice {
   isOrdinary: boolean;
 }
 
-/** What drives in the place of a plan: `plan` has the path of the optimised trajectory `drive`; both are the plan's own where there is none. */
+/**
+ * What drives in the place of a plan: `plan` has the path of the optimised trajectory `drive`; both are the plan's own
+ * where there is none.
+ */
 export interface Smoothed {
   /** The plan that it was made of. */
   of: Plan;

@@ -29,7 +29,9 @@ const FIRST: Record<string, Identity> = {
   hybrid: { colour: 4, dash: [], shape: "diamond" },
   "hybrid-forward": { colour: 5, dash: [14, 5], shape: "plus" },
 };
-/** The others take colour, dash and marker in turn; the three cycles are prime to each other, so that none repeats soon. */
+/**
+ * The others take colour, dash and marker in turn; the three cycles are prime to each other, so that none repeats soon.
+ */
 const COLOURS = [6, 5],
   DASHES: readonly (readonly number[])[] = [
     [4, 4],

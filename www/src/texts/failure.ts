@@ -13,7 +13,10 @@ const say = wordsAt("failure");
 
 const DEGREES = 180 / Math.PI;
 
-/** The sentences of a planner whose answer cannot be driven; null where it can, or is not there. `brief`: place and remedy only. */
+/**
+ * The sentences of a planner whose answer cannot be driven; null where it can, or is not there. `brief`: place and
+ * remedy only.
+ */
 export function whyOf(state: State, planner: PlannerId, brief = false): string | null {
   const result = state.results[planner];
   if (result?.status === "error") return result.error?.message ?? null;

@@ -93,7 +93,10 @@ export function fateText(lang: Lang, replay: SearchReplay, move: number): string
 /** Micro-cells a cell. */
 const UNIT = 1e6;
 
-/** Estimates of the cost from a node to the goal, micro-cells, and the least cost with the search's moves over an empty map. */
+/**
+ * Estimates of the cost from a node to the goal, micro-cells, and the least cost with the search's moves over an empty
+ * map.
+ */
 export interface Estimates {
   least: number;
   all: Record<"manhattan" | "octile" | "euclid" | "chebyshev", number>;

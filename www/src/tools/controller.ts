@@ -152,7 +152,10 @@ export class ToolController {
     this.setCursor(tool, input);
   }
 
-  /** Browsers hold moves back until the next frame; a drag's first one is taken at once, so that its plans make that frame. */
+  /**
+   * Browsers hold moves back until the next frame; a drag's first one is taken at once, so that its plans make that
+   * frame.
+   */
   private pointerEarly(canvas: HTMLElement, event: PointerEvent): void {
     if (this.early || this.press?.pointer !== event.pointerId) return;
     this.early = event;

@@ -1,4 +1,7 @@
-/** Rows of parking slots: a drag along the aisle, as many as fit. The bays lie where there is room, else to its right; Alt swaps. */
+/**
+ * Rows of parking slots: a drag along the aisle, as many as fit. The bays lie where there is room, else to its right;
+ * Alt swaps.
+ */
 import { addSlots, resolve } from "../scene/model";
 import { distance, insidePolygon, towards, type Point } from "../scene/geometry";
 import { distanceToShape, onCells } from "../scene/shapes";

@@ -51,7 +51,10 @@ export function snapPoint(bench: Bench, input: Input, skip?: string): Snapped {
   return { at, guides: guidesTo(at, x, y) };
 }
 
-/** How far things dragged by `by` go: their edges or middle in line with something else, or their lower left corner on the grid. */
+/**
+ * How far things dragged by `by` go: their edges or middle in line with something else, or their lower left corner on
+ * the grid.
+ */
 export function snapMove(
   bench: Bench,
   input: Input,

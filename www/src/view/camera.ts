@@ -142,7 +142,9 @@ function clip(box: Box, floor: Box): Box {
 /** Height of the line over a map that says why its planner fails, CSS pixels; kept free whether it is there or not. */
 export const LINE = 28;
 
-/** The strip over long maps, below the line: its top and height, and the room that both and its label take, CSS pixels. */
+/**
+ * The strip over long maps, below the line: its top and height, and the room that both and its label take, CSS pixels.
+ */
 export const STRIP = { top: LINE + 18, height: 56, room: LINE + 18 + 56 + 30 };
 
 /** Longer maps (metres) than this show a car as a dot. */
@@ -151,7 +153,9 @@ const LONG = 200;
 export const isLong = ({ map: { width, height, resolution } }: GivenScenario): boolean =>
   Math.max(width, height) * resolution > LONG;
 
-/** The camera that shows at the middle of the canvas what `camera` shows at the middle of the part below `inset` pixels. */
+/**
+ * The camera that shows at the middle of the canvas what `camera` shows at the middle of the part below `inset` pixels.
+ */
 export const below = (inset: number, camera: Camera): Camera => ({ ...camera, y: camera.y + inset / 2 / camera.scale });
 
 /** The camera on a box. */
@@ -211,7 +215,10 @@ function following(state: State, width: number): Camera | null {
 /** Maps lower than so many pixels have room for one line over them at most. */
 export const LOW_MAP = 170;
 
-/** What stands on a map's lower edge, CSS pixels: the list of planners at the right of the overlay (so many rows at once), and the view's buttons in the middle. */
+/**
+ * What stands on a map's lower edge, CSS pixels: the list of planners at the right of the overlay (so many rows at
+ * once), and the view's buttons in the middle.
+ */
 export const LEGEND = { width: 350, row: 27, rows: 7, edge: 12, off: 14, from: 640 };
 const BUTTONS = { width: 120, height: 48 };
 

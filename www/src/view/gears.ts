@@ -30,7 +30,9 @@ export function gearsOfPath(plan: Plan): Gears {
   return { reverse, changes: cusps.map((at) => nth(along, at)) };
 }
 
-/** In time, seconds: a standstill belongs to the gear before it, a change is where the car moves on in the other one. */
+/**
+ * In time, seconds: a standstill belongs to the gear before it, a change is where the car moves on in the other one.
+ */
 export function gearsOfDrive({ t, speeds }: Drive): Gears {
   const gears: Gears = { reverse: [], changes: [] };
   let gear = 0,

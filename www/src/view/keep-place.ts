@@ -8,7 +8,10 @@ import { nth } from "../scene/nth";
 /** Differences that nobody sees, as shares of the way. */
 const SAME = 1e-3;
 
-/** Where other answers come under a car that drives, the playhead moves so that the car does not; at rest the playhead is somebody's choice, and boxes have a clock of their own. */
+/**
+ * Where other answers come under a car that drives, the playhead moves so that the car does not; at rest the playhead
+ * is somebody's choice, and boxes have a clock of their own.
+ */
 export function keepPlace(store: Store): void {
   store.subscribe((state, previous) => {
     const { playback, results, scene } = state;

@@ -88,7 +88,10 @@ function strokeEdges(frame: Frame, raster: Raster): void {
 
 const scratch = document.createElement("canvas");
 
-/** The part of a raster in view, one pixel a cell, or a screen's pixel where cells are smaller; `word` is a cell's colour. */
+/**
+ * The part of a raster in view, one pixel a cell, or a screen's pixel where cells are smaller; `word` is a cell's
+ * colour.
+ */
 function drawSampled(frame: Frame, pen: CanvasRenderingContext2D, word: (cell: number) => number): void {
   const {
     view,
@@ -142,11 +145,15 @@ export function drawKinds(frame: Frame, { data }: Layer, values: readonly number
   return true;
 }
 
-/** In the raster `redundant`: where a disc as wide as the car would touch something, and free, but closed by the search. */
+/**
+ * In the raster `redundant`: where a disc as wide as the car would touch something, and free, but closed by the search.
+ */
 const NECESSARY = 2,
   REDUNDANT = 3;
 
-/** The space that a grid planner closes before it searches: the necessary one hatched densely, the redundant one widely. */
+/**
+ * The space that a grid planner closes before it searches: the necessary one hatched densely, the redundant one widely.
+ */
 export function drawClosed(frame: Frame, closed: Layer): void {
   drawKinds(frame, closed, [NECESSARY], fade(frame.tokens.colour.t1, 0.38), 3.5);
   drawKinds(frame, closed, [REDUNDANT], fade(frame.tokens.colour.t1, 0.24), 7);

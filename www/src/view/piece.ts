@@ -1,4 +1,7 @@
-/** Pieces that the first picture does without: each is fetched when something asks for it, from where the page's root says. */
+/**
+ * Pieces that the first picture does without: each is fetched when something asks for it, from where the page's root
+ * says.
+ */
 
 /** Callbacks for loaded pieces: views that drew without them draw again. */
 export const waiting = new Set<() => void>();
@@ -9,7 +12,10 @@ export interface Piece<T> {
   load(): Promise<T>;
   /** Names where the piece comes from. One that comes from nowhere is never there. */
   from(fetch: () => Promise<T>): void;
-  /** Has the piece at hand from now on; where a page has named the whole one, a file's part of it does not take its place. */
+  /**
+   * Has the piece at hand from now on; where a page has named the whole one, a file's part of it does not take its
+   * place.
+   */
   hold(piece: T): void;
 }
 

@@ -1,4 +1,7 @@
-/** Times of the playing drive: all cars and boxes share one clock; a path that no car drives takes as long as the longest drive. */
+/**
+ * Times of the playing drive: all cars and boxes share one clock; a path that no car drives takes as long as the
+ * longest drive.
+ */
 import type { Drive, Encounter, MovingObstacle, Plan, Pose } from "parkade";
 import { paceOn } from "../scene/speed-limits";
 import { distance, towards, wrapAngle } from "../scene/geometry";

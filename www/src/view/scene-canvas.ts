@@ -24,7 +24,10 @@ export class SceneCanvas {
   private readonly layers = new SceneLayers();
   private readonly observer: ResizeObserver;
   private last: Drawing | null = null;
-  /** The observer's first word, which comes before the first frame is shown, gives the size: asking for it lays the page out twice. */
+  /**
+   * The observer's first word, which comes before the first frame is shown, gives the size: asking for it lays the page
+   * out twice.
+   */
   private width = 0;
   private height = 0;
   /** Since when each planner has shown the same answer while at work. */

@@ -111,8 +111,8 @@ export function outlineOf(hulls: readonly Convex[]): [Point, Point][] {
 }
 
 /**
- * What no other hull covers of a → b. Neighbours come first: from both ends they hide most sides whole, and then nothing
- * else needs a look.
+ * What no other hull covers of a → b. Neighbours come first: from both ends they hide most sides whole, and then
+ * nothing else needs a look.
  */
 function outsideParts(a: Point, b: Point, hulls: readonly Convex[], own: number): [number, number][] {
   const covered: [number, number][] = [];

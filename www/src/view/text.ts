@@ -67,7 +67,10 @@ export function drawPill(frame: Frame, text: string, x: number, y: number, tone:
   ctx.fillText(text, left + PAD - 0.5, top + PILL_HEIGHT / 2);
 }
 
-/** The first of these places (upper left corners, px) that is on the canvas and off every box; the first one pushed inside if none is. */
+/**
+ * The first of these places (upper left corners, px) that is on the canvas and off every box; the first one pushed
+ * inside if none is.
+ */
 export function placePill(frame: Frame, text: string, keep: Box, grip: Box, avoid: readonly Box[]): [number, number] {
   const { width, height } = frame.view;
   const w = pillWidth(frame, text),

@@ -202,9 +202,9 @@ fn refined(levels: u32, widest: usize, margins: &[f64]) -> impl Iterator<Item = 
 }
 
 /// The members for open space, which the small module lacks. Where `is_unproven`, the coarsest search with the least
-/// margin goes on from where its budget ended, greedily. Before it the same level searches from the other end, where gear
-/// changes cost little: some ways are found from there in a tenth to a fifth of the work. The others rock with the least margin: on
-/// two lattices from the hard end, and from both ends.
+/// margin goes on from where its budget ended, greedily. Before it the same level searches from the other end, where
+/// gear changes cost little: some ways are found from there in a tenth to a fifth of the work. The others rock with the
+/// least margin: on two lattices from the hard end, and from both ends.
 #[cfg(feature = "complete")]
 pub(super) fn in_open_space(levels: u32, least: usize, may_swap: bool, is_unproven: bool) -> Vec<Member> {
     let mut members = vec![Member { from: From::Far, ..plain(1, least) }];

@@ -15,8 +15,8 @@ export interface Mark {
 }
 
 /**
- * A: the first box sets off; B: where it is when the car stops; C: when the car drives on; D: where it ends. S, W, E: the car sets off,
- * waits, ends. Empty where nothing is waited for.
+ * A: the first box sets off; B: where it is when the car stops; C: when the car drives on; D: where it ends. S, W, E:
+ * the car sets off, waits, ends. Empty where nothing is waited for.
  */
 export function marksOf(frame: Frame, { waits, path, t }: Encounter): Mark[] {
   const [box] = frame.state.scene.moving ?? [],

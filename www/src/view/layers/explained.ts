@@ -1,4 +1,7 @@
-/** The risk field at the cell under the pointer as its paper's tables put it: the force, the three cells it picks, their double steps. */
+/**
+ * The risk field at the cell under the pointer as its paper's tables put it: the force, the three cells it picks, their
+ * double steps.
+ */
 import type { Explanation } from "parkade";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { fade } from "../tokens";

@@ -42,7 +42,10 @@ interface Strip {
 const strips = new WeakMap<Plan, { scene: Scene; strip: Strip | null }>();
 const lines = new WeakMap<Plan, { strip: Strip; points: Point[] }>();
 
-/** The same road under every planner: along the first path that a car can drive; null where that has no edges at both sides. */
+/**
+ * The same road under every planner: along the first path that a car can drive; null where that has no edges at both
+ * sides.
+ */
 export function stripOf({ scene, planners, results }: State): Strip | null {
   const plans = planners.map((planner) => results[planner]?.plan).filter((plan) => plan?.outcome === "found");
   const plan = plans.find((one) => one!.check.drivable) ?? plans[0];

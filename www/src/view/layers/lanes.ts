@@ -54,7 +54,10 @@ interface Surface {
 
 const surfaces = perSurface(() => new WeakMap<Road, Surface>());
 
-/** Kerbs first, so that surfaces open them where roads meet; then the lines between lanes, the one between the directions whole. */
+/**
+ * Kerbs first, so that surfaces open them where roads meet; then the lines between lanes, the one between the
+ * directions whole.
+ */
 function drawRoads(frame: Frame): void {
   const {
     ctx,

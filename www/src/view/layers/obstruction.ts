@@ -1,4 +1,7 @@
-/** Why there is no path, where it fails: what touches, the gap, the region that has no way out, how near the search came. */
+/**
+ * Why there is no path, where it fails: what touches, the gap, the region that has no way out, how near the search
+ * came.
+ */
 import type { Obstruction } from "parkade";
 import { gapAt } from "../../scene/gap";
 import { inMetres, inPixels, pixels, toScreen, type Frame, type Shown } from "../frame";

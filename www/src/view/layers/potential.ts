@@ -5,7 +5,10 @@ import { inMetres, pixels, type Frame } from "../frame";
 import { RAMP_STOPS } from "../ramp";
 import { newPath, perSurface } from "../surface";
 
-/** Between the least and the greatest potential; evenly spaced in the square root, as the goal's grows with the distance squared. */
+/**
+ * Between the least and the greatest potential; evenly spaced in the square root, as the goal's grows with the distance
+ * squared.
+ */
 const LEVELS = 24;
 const SAMPLES = 20_000;
 const built = perSurface(() => new WeakMap<Layer, Path2D[]>());

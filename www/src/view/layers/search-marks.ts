@@ -1,4 +1,7 @@
-/** Signs for what became of a move: ✓ kept, ↻ improved, – dearer or closed, ✕ blocked, ⌀ corner, two bars held back, ○ drawn. */
+/**
+ * Signs for what became of a move: ✓ kept, ↻ improved, – dearer or closed, ✕ blocked, ⌀ corner, two bars held back, ○
+ * drawn.
+ */
 import type { FateName } from "../../planning/search-replay";
 import type { Frame } from "../frame";
 
