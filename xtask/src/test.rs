@@ -33,7 +33,7 @@ enum Needs {
 
 /// Makes what the suites of `Needs::Build` need.
 const BUILD: Suite = suite("build", Needs::Sources, || check(site::assemble()));
-/// Those of a kind in the order in which they run.
+/// Those of a kind in the order in which they run: last what uses both halves of the machine alone.
 const SUITES: &[Suite] = &[
     BUILD,
     suite("sizes", Needs::Build, || check(site::check_sizes())),
@@ -56,11 +56,11 @@ const SUITES: &[Suite] = &[
     }),
     suite("lint, wheel", Needs::Sources, || check(python::lint_native())),
     suite("lint, documentation", Needs::Sources, rustdoc),
+    suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--test", "*"])),
     suite("Rust, native", Needs::Sources, || rust_tests(&["--lib", "--tests"])),
     suite("Rust, examples of the documentation", Needs::Sources, || rust_tests(&["--doc"])),
     suite("Rust, tool", Needs::Sources, || rust_tests(TOOL)),
     suite("Rust, random input", Needs::Sources, || rust_tests(FUZZ)),
-    suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--test", "*"])),
 ];
 /// Before the file that a run beside another leaves its results in.
 const REPORT: &str = "--report";
