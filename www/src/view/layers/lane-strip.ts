@@ -2,7 +2,7 @@
 import type { Plan } from "parkade";
 import messages from "../../i18n/messages/lane-strip.json";
 import { words } from "../../i18n/words";
-import { mapOutline } from "../../scene/model";
+import { mapOutline, resolve } from "../../scene/model";
 import { fromPose, intoPose, type Point } from "../../scene/geometry";
 import { cornersOf } from "../../scene/shapes";
 import type { Scene, State } from "../../store";
@@ -18,8 +18,9 @@ const say = words("laneStrip", messages);
 const HEIGHT = STRIP.height,
   MARGIN = 8,
   STATIONS = 240;
-/** How far to either side a road's edge is looked for, metres. */
-const REACH = 15;
+/** How far to either side a road's edge is looked for: so many metres at least, and so many widths of the vehicle. */
+const REACH = 15,
+  WIDTHS = 3;
 /** Of a path this many poses are drawn at most. */
 const MOST_POSES = 400;
 
@@ -53,13 +54,23 @@ export function stripOf({ scene, planners, results }: State): Strip | null {
   const known = strips.get(plan);
   if (known?.scene === scene) return known.strip;
   const length = distancesOf(plan).at(-1) ?? 0,
-    outline = mapOutline(scene);
+    outline = mapOutline(scene),
+    reach = Math.max(REACH, WIDTHS * resolve(scene).vehicle.width);
   const stations = Array.from({ length: STATIONS + 1 }, (_, i): Station => {
     const along = (length * i) / STATIONS,
       pose = poseAtDistance(plan, along)!;
-    return { x: pose.x, y: pose.y, heading: pose.heading, along, ...edges(outline.map((p) => intoPose(pose, p))) };
+    return {
+      x: pose.x,
+      y: pose.y,
+      heading: pose.heading,
+      along,
+      ...edges(
+        outline.map((p) => intoPose(pose, p)),
+        reach,
+      ),
+    };
   });
-  const isRoad = stations.filter(({ left, right }) => left < REACH && right > -REACH).length > STATIONS / 2;
+  const isRoad = stations.filter(({ left, right }) => left < reach && right > -reach).length > STATIONS / 2;
   const strip = isRoad
     ? { stations, length, half: Math.max(...stations.map(({ left, right }) => (left - right) / 2)) }
     : null;
@@ -67,10 +78,10 @@ export function stripOf({ scene, planners, results }: State): Strip | null {
   return strip;
 }
 
-/** Crossings of an outline with the line to the sides of a pose. */
-function edges(outline: readonly Point[]): { left: number; right: number } {
-  let left = REACH,
-    right = -REACH;
+/** Crossings of an outline with the line to the sides of a pose, so many metres away at most. */
+function edges(outline: readonly Point[], reach: number): { left: number; right: number } {
+  let left = reach,
+    right = -reach;
   outline.forEach(([bx, by], i) => {
     const [ax, ay] = outline.at(i - 1)!;
     if (ax > 0 === bx > 0) return;
