@@ -9,7 +9,7 @@ import { runnerImport } from "vite";
 const root = fileURLToPath(new URL("../../", import.meta.url)),
   out = process.argv[2] ?? join(root, "target/papers");
 const {
-  module: { compared, pages, verdicts, markdown, html, escaped, firstFigures, picture },
+  module: { compared, pages, verdicts, markdown, html, escaped, figuresOfScenes, picture },
 } = await runnerImport(join(root, "docs/.vitepress/papers/index.ts"), { configFile: false, root, logLevel: "error" });
 if (process.argv[2] === "comparison") {
   for (const lang of ["en", "zh"])
@@ -41,7 +41,7 @@ const svgOf = (/** @type {string} */ lang, /** @type {any} */ figure) => {
 };
 const text = languages.flatMap(([lang, all]) =>
   all.map(({ blocks }) => {
-    const first = firstFigures(blocks);
+    const first = figuresOfScenes(blocks);
     return markdown(
       blocks,
       (/** @type {any} */ figure) =>

@@ -68,18 +68,20 @@ export function markdown(
 export const escaped = (words: string): string =>
   words.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 
-/** Per scene the first figure that shows it. */
-export function firstFigures(blocks: readonly Block[]): Map<string, string> {
-  const first = new Map<string, string>();
+/** Per scene the figure that leads to it: that of its name, or else the first that shows it. */
+export function figuresOfScenes(blocks: readonly Block[]): Map<string, string> {
+  const chosen = new Map<string, string>();
   for (const block of blocks)
-    if (block.kind === "figure" && block.figure.scene && !first.has(block.figure.scene))
-      first.set(block.figure.scene, block.figure.id);
-  return first;
+    if (block.kind === "figure" && block.figure.scene) {
+      const { scene, id } = block.figure;
+      if (id === scene || !chosen.has(scene)) chosen.set(scene, id);
+    }
+  return chosen;
 }
 
-/** `picture` gives a figure's SVG; a scene's name leads to the scene's first figure. Anchors begin with `prefix`. */
+/** `picture` gives a figure's SVG; a scene's name leads to the scene's figure. Anchors begin with `prefix`. */
 export function html(blocks: readonly Block[], picture: (figure: Figure) => string, prefix: string): string {
-  const drawn = firstFigures(blocks);
+  const drawn = figuresOfScenes(blocks);
   const named = (code: string): string =>
     drawn.has(code) ? `<a href="#${prefix}${drawn.get(code)}"><code>${code}</code></a>` : `<code>${code}</code>`;
   const inline = (words: string): string => escaped(words).replace(/`([^`]+)`/g, (_, code: string) => named(code));

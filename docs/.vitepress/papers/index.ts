@@ -3,7 +3,7 @@
  * with.
  */
 import { init, scenarios } from "../../../pkg/node.js";
-import { escaped, firstFigures, heading, isClaims, markdown, type Block, type Figure, type Lang } from "./blocks";
+import { escaped, figuresOfScenes, heading, isClaims, markdown, type Block, type Figure, type Lang } from "./blocks";
 import { comparison, comparisonBlocks } from "./comparison";
 import { picture } from "./figures";
 import { measure, type Measured } from "./measure";
@@ -20,7 +20,7 @@ export interface Page {
   blocks: Block[];
 }
 
-export { escaped, firstFigures, html, markdown } from "./blocks";
+export { escaped, figuresOfScenes, html, markdown } from "./blocks";
 export { picture };
 
 let kept: Measured | null = null;
@@ -83,7 +83,7 @@ export async function papers(
   seeds = SEEDS,
 ): Promise<{ params: { id: string; title: string }; content: string }[]> {
   const all = await pages(lang, seeds),
-    drawn = all.flatMap(({ blocks }) => [...firstFigures(blocks).keys()]),
+    drawn = all.flatMap(({ blocks }) => [...figuresOfScenes(blocks).keys()]),
     known = new Set([...scenarios().map(({ id }) => id), ...drawn]);
   return all.map(({ id, title, blocks }) => ({
     params: { id, title },
