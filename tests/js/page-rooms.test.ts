@@ -35,7 +35,7 @@ const roomOf = (path: string): string => path.split("/")[0]!;
 /** Types and what is fetched later count as well. */
 function importsOf(file: string): Import[] {
   const text = readFileSync(join(SOURCES, file), "utf8").replace(/\/\*[\s\S]*?\*\/|^\s*\/\/.*$/gm, "");
-  return [...text.matchAll(/(?:\bfrom|^import|\bimport\()\s*"(\.[^"]+)"/gm)].map(([, path = ""]) => ({
+  return [...text.matchAll(/(?:\bfrom|^import|\bimport\()\s*"(\.[^"]*)"/gm)].map(([, path = ""]) => ({
     file,
     target: relative(SOURCES, join(SOURCES, dirname(file), path)).replaceAll("\\", "/"),
   }));

@@ -3,7 +3,7 @@ import type { Selection } from "../scene/selection";
 import type { Pose, Slot, VehicleSpec } from "parkade";
 import type { Point } from "../scene/geometry";
 import type { Side } from "../scene/ground";
-import type { Scene } from ".";
+import type { Scenario } from "../scene/scenario";
 
 export type Preview =
   | { kind: "brush"; at: Point; radius: number; erase: boolean; label?: string }
@@ -46,5 +46,5 @@ export interface Draft {
   /** The pose being dragged: its label is shown as edited. */
   grabbed?: { which: "start" | "goal"; part: "body" | "grip" };
   /** The handles of this scene's ground on a map; the one under the pointer, and whether it is being dragged. */
-  border?: { scene: Scene; hot: Side | null; drags: boolean; canvas: HTMLElement | null };
+  border?: { scene: Scenario; hot: Side | null; drags: boolean; canvas: HTMLElement | null };
 }

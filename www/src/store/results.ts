@@ -1,7 +1,18 @@
-/** Parts of a planner's results. */
-import type { Drive, Encounter, HybridPlan, Judgement, OptimisedTrajectory, Plan, Prefer } from "parkade";
-import type { PanelResult, Scene, State } from ".";
+/** What a panel shows of its planner, and the parts of it. */
+import type {
+  Drive,
+  Encounter,
+  HybridPlan,
+  Judgement,
+  Layer,
+  LayerName,
+  OptimisedTrajectory,
+  Plan,
+  PlannerId,
+  Prefer,
+} from "parkade";
 import type { Said } from "../i18n/said";
+import type { Scenario } from "../scene/scenario";
 
 /** Milliseconds of a plan: until its search ended, and with what follows, measures and checks its path. */
 export interface Timing {
@@ -30,13 +41,32 @@ export interface Smoothed {
   failure: Said | null;
 }
 
+export interface PanelResult {
+  plan: Plan | null;
+  lastGood: Plan | null;
+  /** `plan`, where that is another than the planner's first answer. */
+  chosen?: Plan | null;
+  /** The planner's first answer, where `chosen` stands in its place. */
+  ordinary?: Plan | null;
+  /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
+  drive: Drive | Encounter | null;
+  /** Shown in the place of `plan` and `drive`, while it is of this plan. */
+  smoothed?: Smoothed | null;
+  layers: Partial<Record<LayerName, Layer>>;
+  status: "idle" | "planning" | "done" | "error";
+  error: { code: string; path: string; message: string } | null;
+  /** Medians of `samples`; null until the planner has warmed up on the scene. */
+  time: Timing | null;
+  samples: Timing[];
+}
+
 /** Somebody else's trajectory, from a file. */
 export interface Guest {
   name: string;
   /** The file's text. */
   text: string;
   /** The scene that it was judged in. */
-  scene: Scene;
+  scene: Scenario;
   drive: Drive;
   verdict: Judgement;
 }
@@ -54,7 +84,13 @@ export function plannedOf(plan: Plan | null, result: PanelResult | null | undefi
 }
 
 /** The path in front. */
-export function focusedPlan({ results, focus }: State): Plan | null {
+export function focusedPlan({
+  results,
+  focus,
+}: {
+  results: Record<string, PanelResult>;
+  focus: PlannerId;
+}): Plan | null {
   const plan = played(results[focus])?.plan;
   return plan?.outcome === "found" ? plan : null;
 }

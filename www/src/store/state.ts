@@ -2,24 +2,13 @@
 import type { Selection } from "../scene/selection";
 import type { BayCheck } from "./bay-check";
 import type { Draft } from "./draft";
-import type { Choice, Guest, Smoothed, Timing } from "./results";
-import type {
-  Drive,
-  Encounter,
-  Explanation,
-  Layer,
-  LayerName,
-  Narrowest,
-  Plan,
-  PlannerId,
-  Prefer,
-  Road,
-  SceneGeometry,
-} from "parkade";
+import type { Choice, Guest, PanelResult } from "./results";
+import type { Explanation, Narrowest, Plan, PlannerId, Prefer, Road, SceneGeometry } from "parkade";
 import type { Scenario } from "../scene/scenario";
 import { presetLayers, type LayerSet } from "./layer-sets";
 
 export type { LayerKey } from "./layer-sets";
+export type { PanelResult } from "./results";
 
 export type Scene = Scenario;
 export type ToolId =
@@ -41,25 +30,6 @@ export interface Camera {
   x: number;
   y: number;
   scale: number;
-}
-
-export interface PanelResult {
-  plan: Plan | null;
-  lastGood: Plan | null;
-  /** `plan`, where that is another than the planner's first answer. */
-  chosen?: Plan | null;
-  /** The planner's first answer, where `chosen` stands in its place. */
-  ordinary?: Plan | null;
-  /** `plan` in time, among moving obstacles where there are some; null where no car drives it, and during drags. */
-  drive: Drive | Encounter | null;
-  /** Shown in the place of `plan` and `drive`, while it is of this plan. */
-  smoothed?: Smoothed | null;
-  layers: Partial<Record<LayerName, Layer>>;
-  status: "idle" | "planning" | "done" | "error";
-  error: { code: string; path: string; message: string } | null;
-  /** Medians of `samples`; null until the planner has warmed up on the scene. */
-  time: Timing | null;
-  samples: Timing[];
 }
 
 export interface Playback {
