@@ -84,8 +84,8 @@ fn held(
     let plain = stop_and_steer(&geometry.vehicle, route, &options.limits);
     let plain = check(geometry, &Body::new(geometry), &plain, &options.limits);
     let stage = made.stage.as_str();
-    // Without a margin a path is planned free at places, and may touch something between them: at a frame, or between
-    // two frames, where nothing is certified then.
+    // Without a margin a path is planned free at places. Between them it may touch something, or come so near that
+    // nothing certifies it as free.
     if !plain.contacts.are_none() && !made.check.contacts.are_none() && made.stage == Stage::StopAndSteer {
         return Ok("touches-as-planned");
     }

@@ -58,8 +58,8 @@ export class Planner {
   /** @type {import("./index.js").Planner["plan"]} */
   plan(options = {}) {
     /**
-     * @type {Parameters<import("./index.js").Planner["plan"]>[0] & { onImproved?: (plan: any) => void, onExpanded?:
-     * (events: any) => void }}
+     * @type {Parameters<import("./index.js").Planner["plan"]>[0] & { onImproved?: (plan: any) => void,
+     *   onExpanded?: (events: any) => void }}
      */
     const { onProgress, onImproved, onExpanded, ...others } = optional(options);
     /** @type {{ error: unknown } | undefined} */

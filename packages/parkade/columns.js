@@ -43,8 +43,8 @@ const slopes = (t, values) =>
   values.map((value, i) => ((values[i + 1] ?? value) - value) / ((t[i + 1] ?? Infinity) - (t[i] ?? 0)));
 
 /**
- * Corners have no curvature, undrivable paths no speed: their cells are empty. @param {string | number | undefined}
- * value
+ * Corners have no curvature, undrivable paths no speed: their cells are empty.
+ * @param {string | number | undefined} value
  */
 const cell = (value) => (typeof value === "string" || Number.isFinite(value) ? String(value) : "");
 

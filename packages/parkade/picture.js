@@ -93,8 +93,8 @@ function checkCamera(camera) {
 }
 
 /**
- * The parts of a plan that a picture needs; lists from JSON may be plain arrays. @param {import("./index.js").Plan}
- * plan
+ * The parts of a plan that a picture needs; lists from JSON may be plain arrays.
+ * @param {import("./index.js").Plan} plan
  */
 function checkPlan(plan) {
   const { planner, outcome } = plan,

@@ -7,13 +7,13 @@ const FILES = { worker: "text/javascript", module: "application/wasm", playgroun
 const PAUSE = 150;
 
 /**
- * @typedef {{ get(name: string): any, set(name: string, value: unknown): void, save_changes(): void, send(content:
- * unknown): void, on(name: string, listener: (...args: any[]) => void): void, off(name: string, listener: (...args:
- * any[]) => void): void }} Model
+ * @typedef {{ get(name: string): any, set(name: string, value: unknown): void, save_changes(): void,
+ *   send(content: unknown): void, on(name: string, listener: (...args: any[]) => void): void,
+ *   off(name: string, listener: (...args: any[]) => void): void }} Model
  */
 /**
- * @typedef {HTMLElement & { sceneData: unknown, setScene(scene: unknown): Promise<void>, results: Record<string, any>
- * }} Playground
+ * @typedef {HTMLElement & { sceneData: unknown, setScene(scene: unknown): Promise<void>,
+ *   results: Record<string, any> }} Playground
  */
 
 /** @param {Model} model */

@@ -6,10 +6,10 @@ import { heatMap } from "./heat_map.mjs";
  * Of the scenes of a cell: how many are solved, how many end with neither path nor proof, and the median of gear
  * changes.
  * @typedef {[solved: number, undecided: number, changes: number | null]} Cell
- * @typedef {{ family: string, vehicle: string, length: number, width: number, x: number[], y: number[], cells: Cell[][]
- * }} TightMap
+ * @typedef {{ family: string, vehicle: string, length: number, width: number, x: number[], y: number[],
+ *   cells: Cell[][] }} TightMap
  * @typedef {{ kind: string, vehicle: string, scenes: number, solved: number, undecided: number, changes: number | null,
- * margin: number | null }} TightKind
+ *   margin: number | null }} TightKind
  * @typedef {{ count: number, maps: TightMap[], kinds: TightKind[] }} Tight
  */
 
@@ -122,8 +122,9 @@ const outcomes = (/** @type {number} */ scenes, /** @type {number} */ solved, /*
 const OUTCOMES = ["scenes", "solved", "no way, proven", "neither"];
 
 /**
- * Outcomes over all cells of each map, with what `time` says of it. @param {Tight} tight @param {(map: TightMap) =>
- * string} time
+ * Outcomes over all cells of each map, with what `time` says of it.
+ * @param {Tight} tight
+ * @param {(map: TightMap) => string} time
  */
 export const mapTable = ({ count, maps }, time) =>
   table([
@@ -156,8 +157,10 @@ export function magnitude(milliseconds) {
 }
 
 /**
- * The text with what stands between the marks of a block replaced. @param {string} text @param {string} name @param
- * {string} block
+ * The text with what stands between the marks of a block replaced.
+ * @param {string} text
+ * @param {string} name
+ * @param {string} block
  */
 export function withBlock(text, name, block) {
   const [head, tail] = [`<!-- ${name} -->\n`, `\n<!-- /${name} -->`];

@@ -151,7 +151,7 @@ fn margin_is_given_up_where_that_saves_many_gear_changes() {
     }
 }
 
-/// From the end that is hard to leave these take ten times as many expansions.
+/// From the end that is hard to leave these take five to ten times as many expansions.
 #[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
 #[test]
 fn ways_that_show_from_the_other_end_are_found() {

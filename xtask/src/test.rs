@@ -25,7 +25,7 @@ struct Suite {
 
 #[derive(PartialEq)]
 enum Needs {
-    /// They leave half a machine idle, and so run beside the others when all are run.
+    /// Nothing that is built. When all are run, these run beside the others.
     Sources,
     /// The package and the page, built.
     Build,
@@ -33,7 +33,7 @@ enum Needs {
 
 /// Makes what the suites of `Needs::Build` need.
 const BUILD: Suite = suite("build", Needs::Sources, || check(site::assemble()));
-/// Those of a kind in the order in which they run: last what uses both halves of the machine alone.
+/// Those of a kind run in this order. What uses several cores by itself comes last, when nothing runs beside it.
 const SUITES: &[Suite] = &[
     BUILD,
     suite("sizes", Needs::Build, || check(site::check_sizes())),

@@ -146,8 +146,10 @@ function summary(rows) {
 }
 
 /**
- * With several vehicles, each has a picture of its own. @param {string} file @param {string} id @param {readonly
- * AuditRow[]} rows
+ * With several vehicles, each has a picture of its own.
+ * @param {string} file
+ * @param {string} id
+ * @param {readonly AuditRow[]} rows
  */
 function named(file, id, rows) {
   if (rows.every(({ vehicle }) => vehicle === id)) return file;
@@ -162,8 +164,9 @@ const WIDTH = 1200,
   RIM = 24;
 
 /**
- * The scene with each bay filled by the fewest moves. @param {import("../index.js").Scenario} scene @param {readonly
- * AuditRow[]} rows
+ * The scene with each bay filled by the fewest moves.
+ * @param {import("../index.js").Scenario} scene
+ * @param {readonly AuditRow[]} rows
  */
 function picture(scene, rows) {
   const { boundary, slots } = sceneGeometry(scene);

@@ -14,8 +14,8 @@ import { scenes } from "./scenes.js";
 /** @typedef {import("./results.js").Result} Result */
 /** @typedef {import("./results.js").Extras} Extras */
 /**
- * @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string, planner:
- * import("../index.js").PlannerId | "audit", config: Record<string, unknown>, extras: Extras }} Task
+ * @typedef {{ key: string, scene: import("./scenes.js").Scene, content: string,
+ *   planner: import("../index.js").PlannerId | "audit", config: Record<string, unknown>, extras: Extras }} Task
  */
 
 /** The name of audits among planners. @type {"audit"} */

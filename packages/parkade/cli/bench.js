@@ -44,8 +44,8 @@ export async function bench(places, values) {
 }
 
 /**
- * @param {import("../index.js").PlannerId} planner @param {{ place: string, scene: import("../index.js").Scenario }}
- * asked
+ * @param {import("../index.js").PlannerId} planner
+ * @param {{ place: string, scene: import("../index.js").Scenario }} asked
  */
 function planned(planner, { place, scene }) {
   const prepared = of(place, () => new Planner(planner, scene));

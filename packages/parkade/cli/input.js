@@ -36,8 +36,11 @@ function small(path, content) {
 }
 
 /**
- * What is wrong with a scene, with the place that it is read from. @template T @param {string} place @param {() => T}
- * use @returns {T}
+ * What is wrong with a scene, with the place that it is read from.
+ * @template T
+ * @param {string} place
+ * @param {() => T} use
+ * @returns {T}
  */
 export function of(place, use) {
   try {

@@ -19,8 +19,9 @@ export async function write(content, file) {
 }
 
 /**
- * @param {readonly string[]} head @param {readonly (readonly (string | number)[])[]} rows @param {"markdown" | "csv"}
- * format
+ * @param {readonly string[]} head
+ * @param {readonly (readonly (string | number)[])[]} rows
+ * @param {"markdown" | "csv"} format
  */
 export function table(head, rows, format) {
   const lines =

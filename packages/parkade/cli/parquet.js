@@ -19,8 +19,8 @@ const GROUP = 50_000;
 /** @typedef {Record<string, any>} Row */
 
 /**
- * Name, type and value. @typedef {[name: string, type: "STRING" | "INT64" | "DOUBLE" | "BOOLEAN", of: (result: any) =>
- * unknown]} Column
+ * Name, type and value.
+ * @typedef {[name: string, type: "STRING" | "INT64" | "DOUBLE" | "BOOLEAN", of: (result: any) => unknown]} Column
  */
 
 /** Of plans. @type {Column[]} */
@@ -71,8 +71,10 @@ const BAYS = [
 ];
 
 /**
- * Columns of a way in or out. @param {string} prefix @param {(row: Row) => Row | null | undefined} way @returns
- * {Column[]}
+ * Columns of a way in or out.
+ * @param {string} prefix
+ * @param {(row: Row) => Row | null | undefined} way
+ * @returns {Column[]}
  */
 function ways(prefix, way) {
   return [
@@ -96,7 +98,9 @@ const NEEDED = ["key", "scene", "planner", "settings", "version"];
 const rowOf = (result) => valuesOf(result.path === undefined ? COLUMNS : [...COLUMNS, PATH], result);
 
 /**
- * A row for each bay; one that tells its error for a scene that was refused. @param {Result} result @returns {Row[]}
+ * A row for each bay; one that tells its error for a scene that was refused.
+ * @param {Result} result
+ * @returns {Row[]}
  */
 function baysOf(result) {
   const rows = /** @type {Row[]} */ (result["rows"] ?? [{}]);
@@ -107,8 +111,10 @@ function baysOf(result) {
 const valuesOf = (columns, result) => Object.fromEntries(columns.map(([name, , of]) => [name, of(result) ?? null]));
 
 /**
- * What `of` makes of the newest result of each key in files of lines. @template T @param {string[]} files @param
- * {(result: Result) => T} of
+ * What `of` makes of the newest result of each key in files of lines.
+ * @template T
+ * @param {string[]} files
+ * @param {(result: Result) => T} of
  */
 async function newest(files, of) {
   /** @type {Map<string, T>} */

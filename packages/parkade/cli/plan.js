@@ -75,8 +75,9 @@ export async function plan(places, values) {
 }
 
 /**
- * The trajectory that `optimise` makes of a plan; only the header if there is no path. @param
- * {import("../index.js").Scenario} scene @param {import("../index.js").Plan} found
+ * The trajectory that `optimise` makes of a plan; only the header if there is no path.
+ * @param {import("../index.js").Scenario} scene
+ * @param {import("../index.js").Plan} found
  */
 function trajectory(scene, found) {
   return found.outcome === "found" ? toTrajectoryCSV(optimise(scene, found)) : "t,x,y,theta,v,phi,a,omega\n";

@@ -76,7 +76,8 @@ export function explained({ path, message }) {
 }
 
 /**
- * Damerau and Levenshtein's: letters that are wrong, missing, too many, or swapped with the next. @param {string} a
+ * Damerau and Levenshtein's: letters that are wrong, missing, too many, or swapped with the next.
+ * @param {string} a
  * @param {string} b
  */
 function distance(a, b) {

@@ -7,11 +7,10 @@ import { createInterface } from "node:readline";
 import { Refused, reason } from "./refusal.js";
 
 /**
- * A scene planned by a planner, or why it could not be.
- * `superseded` ends a result: its scene is another one by now.
+ * A scene planned by a planner, or why it could not be. `superseded` ends a result: its scene is another one by now.
  * @typedef {{ key: string, scene: string, planner: string, settings: Record<string, unknown>, superseded?: true,
- * outcome?: string, verdict?: string, hash?: string, path?: unknown, seconds?: number, error?: { code: string, path:
- * string, message: string }, [figure: string]: unknown }} Result
+ *   outcome?: string, verdict?: string, hash?: string, path?: unknown, seconds?: number,
+ *   error?: { code: string, path: string, message: string }, [figure: string]: unknown }} Result
  */
 
 /** The part of a written result that is kept in memory. @param {Result} result @returns {Result} */
@@ -39,8 +38,8 @@ export const questionOf = ({ scene, planner, settings }) =>
   JSON.stringify([scene, planner, Object.entries(settings ?? {}).sort()]);
 
 /**
- * True if a result stays when its scene is planned again: one that ran out of time does not. @param {Result |
- * undefined} result
+ * True if a result stays when its scene is planned again: one that ran out of time does not.
+ * @param {Result | undefined} result
  */
 export const isFinal = (result) =>
   result !== undefined && result.superseded !== true && result.error?.code !== "timeout";
@@ -71,8 +70,8 @@ export async function* read(file) {
 const BEGINNING = '{"key":"';
 
 /**
- * Removes the partial last line of a run that was stopped while writing; other text is somebody else's. @param {string}
- * file
+ * Removes the partial last line of a run that was stopped while writing; other text is somebody else's.
+ * @param {string} file
  */
 export async function mend(file) {
   const size = await stat(file).then(

@@ -14,7 +14,9 @@ import { Refused, explained, meant } from "./refusal.js";
 let module;
 
 /**
- * Runs a command line, says what is wrong, and gives the exit code. @param {string[]} args @returns {Promise<number>}
+ * Runs a command line, says what is wrong, and gives the exit code.
+ * @param {string[]} args
+ * @returns {Promise<number>}
  */
 export async function answer(args) {
   try {

@@ -73,8 +73,9 @@ function planned({ scene, planner, content, config, extras }) {
 }
 
 /**
- * The rows of an audit, without poses. @param {import("../index.js").Scenario} scene @param
- * {import("../index.js").AuditOptions} options
+ * The rows of an audit, without poses.
+ * @param {import("../index.js").Scenario} scene
+ * @param {import("../index.js").AuditOptions} options
  */
 function audited(scene, options) {
   const rows = audit(scene, options).map(({ swept: _, out, ...row }) => {

@@ -10,11 +10,11 @@ import { WorkerPool } from "./pool.js";
  * @typedef {{ spawn(): any, compile(wasm?: URL | string): Promise<WebAssembly.Module>, most(): number }} Host
  * @typedef {import("./protocol.js").Job} Job
  * @typedef {{ signal?: AbortSignal, onProgress?: (expansions: number) => void, onImproved?: (plan: any) => void,
- * onExpanded?: (events: any) => void }} Ears
+ *   onExpanded?: (events: any) => void }} Ears
  * @typedef {Ears & { fields: any, transfer?: ArrayBuffer[], done(result: any): void, failed(error: unknown): void,
- * detach(): void }} Task
- * @typedef {{ task: Task, id: number, stop: SharedArrayBuffer | undefined, grace?: ReturnType<typeof setTimeout> }}
- * Running
+ *   detach(): void }} Task
+ * @typedef {{ task: Task, id: number, stop: SharedArrayBuffer | undefined,
+ *   grace?: ReturnType<typeof setTimeout> }} Running
  */
 
 /** Milliseconds after which a search that was asked to end is ended with its worker. */
@@ -312,7 +312,9 @@ class WorkerPlanner {
   }
 
   /**
-   * What a callback throws ends the search, as it does without a worker. @param {Task} task @param {() => void} told
+   * What a callback throws ends the search, as it does without a worker.
+   * @param {Task} task
+   * @param {() => void} told
    */
   #tell(task, told) {
     try {

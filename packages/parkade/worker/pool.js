@@ -2,8 +2,8 @@
 // Workers shared by many planners; `pool.d.ts` documents it.
 
 /**
- * A holder that asked for a worker while none was free. @typedef {{ holder: import("./pool.js").Holder, give: (worker:
- * any) => void }} Waiting
+ * A holder that asked for a worker while none was free.
+ * @typedef {{ holder: import("./pool.js").Holder, give: (worker: any) => void }} Waiting
  */
 /** @typedef {{ worker: any, holder: import("./pool.js").Holder | null }} Member */
 

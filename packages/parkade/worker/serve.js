@@ -7,8 +7,8 @@ import { transferables } from "./transfer.js";
  * @typedef {Pick<typeof import("../index.js"), "Planner" | "init" | "optimise">} Api
  * @typedef {import("./protocol.js").Job} Job
  * @typedef {import("./protocol.js").Reply} Reply
- * @typedef {{ send(reply: Reply, transfer: ArrayBuffer[]): void, listen(take: (message:
- * import("./protocol.js").Message) => void): void }} Port
+ * @typedef {{ send(reply: Reply, transfer: ArrayBuffer[]): void,
+ *   listen(take: (message: import("./protocol.js").Message) => void): void }} Port
  */
 
 /** Ends a search whose answer nobody wants any more. */

@@ -37,9 +37,10 @@ export class Choices extends AppElement {
     :host(.low) { inset: auto 0 38px; }
     div { display: flex; flex-wrap: wrap; gap: 6px; padding: 8px; }
     button { pointer-events: auto; height: 24px; padding: 0 8px; font-size: 12px; font-variant-numeric: tabular-nums;
-    white-space: nowrap; color: var(--parkade-t1);
+      white-space: nowrap; color: var(--parkade-t1);
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair2);
-      border-radius: calc(5px * var(--parkade-radius)); }
+      border-radius: calc(5px * var(--parkade-radius));
+    }
     button:hover { background: var(--parkade-panel); border-color: var(--parkade-t2); }
     button[aria-pressed="true"] { font-weight: 600; outline: 1.5px solid var(--parkade-t1); outline-offset: -1px; }
     @media (pointer: coarse) { button { height: 34px; padding: 0 12px; } }

@@ -78,7 +78,8 @@ export class PlannerPanel extends AppElement {
     .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
       border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2);
-      white-space: nowrap; }
+      white-space: nowrap;
+    }
     .pill b { font-weight: 500; color: var(--parkade-t1); margin-left: 4px; }
     .legend { gap: 6px; }
     .weights { gap: 6px; }
@@ -86,7 +87,7 @@ export class PlannerPanel extends AppElement {
     .ramp {
       width: 72px; height: 6px; border-radius: 1px;
       background: linear-gradient(to right, #00224e, #123570, #3b496c, #575d6d, #707173, #8a8678, #a59c74, #c3b369,
-      #e1cc55, #fde838);
+        #e1cc55, #fde838);
     }
     parkade-failure { position: absolute; inset: 0 0 auto; }
     parkade-failure.low { inset: auto 0 0; }
