@@ -36,7 +36,8 @@ export class Choices extends AppElement {
     }
     :host(.low) { inset: auto 0 38px; }
     div { display: flex; flex-wrap: wrap; gap: 6px; padding: 8px; }
-    button { pointer-events: auto; height: 24px; padding: 0 8px; font-size: 12px; font-variant-numeric: tabular-nums;
+    button {
+      pointer-events: auto; height: 24px; padding: 0 8px; font-size: 12px; font-variant-numeric: tabular-nums;
       white-space: nowrap; color: var(--parkade-t1);
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair2);
       border-radius: calc(5px * var(--parkade-radius));

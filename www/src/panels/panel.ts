@@ -75,7 +75,8 @@ export class PlannerPanel extends AppElement {
     }
     .slim .corner { display: none; }
     .corner.top { bottom: auto; top: 46px; }
-    .pill { display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
+    .pill {
+      display: flex; align-items: center; gap: 10px; height: 24px; padding: 0 8px;
       background: color-mix(in srgb, var(--parkade-panel) 94%, transparent); border: 1px solid var(--parkade-hair);
       border-radius: calc(5px * var(--parkade-radius)); font-size: 12px; line-height: 16px; color: var(--parkade-t2);
       white-space: nowrap;
