@@ -8,6 +8,9 @@ import { sceneFromSitePlan, suggestedRole, suggestedUnit } from "../../www/src/s
 import { localProjection } from "../../www/src/siteplan/projection";
 import { dxf, FILES, geojson, LOT } from "./site-plan-files";
 
+/** Other damages than the usual ones: `PARKADE_DAMAGED_PLANS=7000 vitest run tests/js/site-plan.test.ts`. */
+const FIRST_DAMAGED = Number(process.env["PARKADE_DAMAGED_PLANS"] ?? 0);
+
 beforeAll(async () => {
   await init();
 });
@@ -24,6 +27,9 @@ it.each([
   ["\uc8fc\ucc28\uad6c\ud68d", "bay"],
   ["parking-lot", "none"],
   ["amenity=parking", "ground"],
+  ["osm_parking_space", "bay"],
+  ["parking=street_side", "none"],
+  ["TREES", "column"],
   ["e-background", "none"],
 ])("a layer %s is taken for %s", (name, role) => expect(suggestedRole(name)).toBe(role));
 
@@ -232,7 +238,7 @@ describe("a file", () => {
 
   it.each(Object.entries(FILES))("of the kind of %s that is damaged is refused in words, 500 times", (name, text) => {
     let refused = 0;
-    for (let seed = 0; seed < 500; seed++) {
+    for (let seed = FIRST_DAMAGED; seed < FIRST_DAMAGED + 500; seed++) {
       try {
         const plan = readSitePlan(name, damaged(text, seed));
         converted(plan, plan.kind === "svg" ? 0.1 : undefined);
@@ -292,6 +298,42 @@ describe("a file", () => {
 
   it("of more is refused unread", () => {
     expect(() => readSitePlan("large.dxf", new Uint8Array(MOST_BYTES + 1))).toThrow("at most 64 MB");
+  });
+});
+
+describe("GeoJSON of other programs", () => {
+  /** Bays of 2.5 × 5 m side by side, at a place in degrees. */
+  const bays = (longitude: number, properties: object): object[] =>
+    Array.from({ length: 8 }, (_, i) => {
+      const [west, east] = [i, i + 1].map((k) => longitude + k * 3.68e-5) as [number, number],
+        [south, north] = [52.5, 52.5 + 4.49e-5];
+      const ring = [
+        [west, south],
+        [east, south],
+        [east, north],
+        [west, north],
+        [west, south],
+      ];
+      return { type: "Feature", properties, geometry: { type: "Polygon", coordinates: [ring] } };
+    });
+  const planOf = (features: object[]): SitePlan =>
+    readSitePlan("map.geojson", JSON.stringify({ type: "FeatureCollection", features }));
+
+  it("says by a type what a feature is, where no tag does", () => {
+    const layersOf = (properties: object): string[] => planOf(bays(5.2, properties)).layers.map(({ name }) => name);
+    expect(layersOf({ feature_type: "osm_parking_space", parking: "N/A" })).toEqual(["osm_parking_space"]);
+    expect(layersOf({ type: "parking_space" })).toEqual(["parking_space"]);
+    expect(layersOf({ type: "multipolygon" })).toEqual(["Polygon"]);
+    expect(layersOf({ amenity: "parking_space", type: "way" })).toEqual(["amenity=parking_space"]);
+  });
+
+  it("counts as degrees over a whole province", () => {
+    const { scene } = converted(planOf([...bays(5.2, { type: "bay" }), ...bays(6.1, { type: "bay" })]));
+    expect(scene.slots).toHaveLength(8);
+    for (const { width, length } of scene.slots!) {
+      expect(width).toBeCloseTo(2.5, 1);
+      expect(length).toBeCloseTo(5, 1);
+    }
   });
 });
 

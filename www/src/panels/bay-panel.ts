@@ -128,18 +128,19 @@ export class BayPanel extends AppElement {
     }
     this.opened = false;
     this.app.store.set({ planners: ["hybrid"], focus: "hybrid", mode: "overlay", camera: null });
-    if (host.compact) this.resized.observe(this);
+    this.resized.observe(this);
   }
 
-  /** On a phone the whole lot stands in what the table leaves of the map. */
+  /** The whole lot stands in what the table leaves of the map, on a phone below the map's first line. */
   private fitLot(): void {
     const map = this.host.shadowRoot?.querySelector("parkade-stage")?.getBoundingClientRect();
-    if (!map || this.hidden || this.opened || !this.host.compact) return;
+    if (!map || this.hidden || this.opened) return;
     const { width, height } = map,
+      line = this.host.compact ? LINE : 0,
       covered = this.classList.contains("phone") ? Math.max(0, map.bottom - this.getBoundingClientRect().top) : 0,
       { scene } = this.app.store.state;
-    const camera = fitMap(scene, width, height - covered - LINE);
-    this.app.store.set({ camera: { ...camera, y: camera.y + (LINE - covered) / 2 / camera.scale } });
+    const camera = fitMap(scene, width, height - covered - line);
+    this.app.store.set({ camera: { ...camera, y: camera.y + (line - covered) / 2 / camera.scale } });
   }
 
   private onState(state: State, previous: State): void {
@@ -183,7 +184,8 @@ export class BayPanel extends AppElement {
         check.vehicle.id === "own"
           ? scene
           : { ...scene, vehicle, start: sameTail(scene.start, scene.vehicle, vehicle) },
-      to = setGoalFromSlot(moved, slot.id, best.entry);
+      // A map of its own is fitted to this bay's plan.
+      to = setGoalFromSlot({ ...moved, map: { ...scene.map } }, slot.id, best.entry);
     this.opened = true;
     this.visited = { from: scene, to };
     this.host.style.removeProperty("--pane-side");

@@ -12,7 +12,9 @@ export const SCALES = [50, 100, 200, 500, 1000, 2000] as const;
 const EDGE = 10,
   /** Of the title block. */
   BLOCK = { width: 100, height: 34 },
-  ROW = 5.5;
+  ROW = 5.5,
+  /** Where the values stand in it. */
+  VALUES = 26;
 
 /** An area with a colour and a word on it, as bays have. */
 export interface SheetArea {
@@ -157,16 +159,26 @@ function legendOf({ legend }: Sheet, width: number, height: number): string {
     .join("");
 }
 
+/** A wide letter of a sans serif, and a Chinese sign, as shares of the size of the letters. */
+const LETTER = 0.6,
+  SIGN = 1;
+
+/** The size of letters at which a line fits in so many millimetres, at most `most`. */
+function fontSize(text: string, most: number, room: number): string {
+  const ems = [...text].reduce((sum, one) => sum + (one > "\u2e7f" ? SIGN : LETTER), 0);
+  return number(Math.min(most, room / ems));
+}
+
 function titleBlock({ title, rows }: Sheet, width: number, height: number): string {
   const left = width - EDGE - BLOCK.width,
     top = height - EDGE - BLOCK.height;
   const cells = rows.map(
     ([name, value], i) =>
-      `<text x="${left + 2}" y="${number(top + 12 + i * 4.4)}" font-size="2.4" fill="#64696F">${escaped(name)}</text><text x="${left + 26}" y="${number(top + 12 + i * 4.4)}" font-size="2.8">${escaped(value)}</text>`,
+      `<text x="${left + 2}" y="${number(top + 12 + i * 4.4)}" font-size="2.4" fill="#64696F">${escaped(name)}</text><text x="${left + VALUES}" y="${number(top + 12 + i * 4.4)}" font-size="${fontSize(value, 2.8, BLOCK.width - VALUES - 2)}">${escaped(value)}</text>`,
   );
   return (
     `<g id="title-block"><rect x="${left}" y="${top}" width="${BLOCK.width}" height="${BLOCK.height}" fill="#FFFFFF" stroke="#1B1D20" stroke-width="0.35"/>` +
-    `<path d="M${left} ${top + 8}h${BLOCK.width}" stroke="#1B1D20" stroke-width="0.2"/><text x="${left + 2}" y="${top + 5.6}" font-size="4.2" font-weight="600">${escaped(title)}</text>${cells.join("")}</g>`
+    `<path d="M${left} ${top + 8}h${BLOCK.width}" stroke="#1B1D20" stroke-width="0.2"/><text x="${left + 2}" y="${top + 5.6}" font-size="${fontSize(title, 4.2, BLOCK.width - 4)}" font-weight="600">${escaped(title)}</text>${cells.join("")}</g>`
   );
 }
 

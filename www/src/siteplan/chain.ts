@@ -11,13 +11,21 @@ export function chained(lines: readonly SitePlanLine[], reach: number): SitePlan
   const ends = new Map<string, number[]>(),
     keyOf = ([x, y]: Point): string => `${Math.round(x / reach)} ${Math.round(y / reach)}`;
   open.forEach((points, i) => {
-    for (const end of [nth(points, 0), lastIn(points)]) ends.set(keyOf(end), [...(ends.get(keyOf(end)) ?? []), i]);
+    for (const end of [nth(points, 0), lastIn(points)]) {
+      const key = keyOf(end),
+        here = ends.get(key);
+      if (here) here.push(i);
+      else ends.set(key, [i]);
+    }
   });
   const used = new Set<number>(),
     result: SitePlanLine[] = lines.filter((line) => line.closed);
   /** The only other unused line at an end. */
   const nextAt = (end: Point, own: number): number | undefined => {
-    const here = (ends.get(keyOf(end)) ?? []).filter((i) => i !== own);
+    const met = ends.get(keyOf(end)) ?? [];
+    // A line has two ends at most.
+    if (met.length > 3) return undefined;
+    const here = met.filter((i) => i !== own);
     return here.length === 1 && !used.has(nth(here, 0)) ? here[0] : undefined;
   };
   const extend = (points: Point[], own: number): void => {

@@ -1,5 +1,6 @@
 /** Degrees of WGS 84 on the plane that touches the ellipsoid in the plan's middle: metres east and north. */
-import { radians, type Point } from "../scene/geometry";
+import { boxOf, radians, type Point } from "../scene/geometry";
+import { nth } from "../scene/nth";
 
 const EQUATOR = 6_378_137,
   FLATTENING = 1 / 298.257223563,
@@ -31,18 +32,20 @@ export function localProjection([longitude, latitude]: Point): (place: Point) =>
 
 /** Further apart, degrees, nobody draws a parking lot; metres of a lot reach further. */
 const WIDEST = 0.5;
+/** Of a whole province, half of the lines are at most so long, degrees; in metres nobody draws a lot of such lines. */
+const SHORT = 0.01;
 
-/** True if coordinates read as degrees: all on the globe, and close together. */
-export function areDegrees({
-  minX,
-  minY,
-  maxX,
-  maxY,
-}: {
-  minX: number;
-  minY: number;
-  maxX: number;
-  maxY: number;
-}): boolean {
-  return minX >= -180 && maxX <= 180 && minY >= -90 && maxY <= 90 && maxX - minX <= WIDEST && maxY - minY <= WIDEST;
+/** True if the coordinates of some lines read as degrees: all on the globe, and close together or each line short. */
+export function areDegrees(lines: readonly (readonly Point[])[]): boolean {
+  const { minX, minY, maxX, maxY } = boxOf(lines.flat());
+  if (!(minX >= -180 && maxX <= 180 && minY >= -90 && maxY <= 90)) return false;
+  if (maxX - minX <= WIDEST && maxY - minY <= WIDEST) return true;
+  const lengths = lines
+    .filter((points) => points.length > 1)
+    .map((points) => {
+      const box = boxOf(points);
+      return Math.max(box.maxX - box.minX, box.maxY - box.minY);
+    })
+    .sort((a, b) => a - b);
+  return lengths.length > 0 && nth(lengths, Math.floor(lengths.length / 2)) <= SHORT;
 }

@@ -10,6 +10,12 @@ import { PlanBuilder, SitePlanError } from "./site-plan";
 import { nth } from "../scene/nth";
 import { rule } from "../i18n/rule";
 
+/** Properties that name a layer, in the spelling of drawing programs. */
+const NAMING = ["layer", "Layer", "class", "kind"];
+/** Properties by which other programs tell what a feature is; they count where nothing else does. */
+const TYPING = ["feature_type", "featuretype", "fclass", "type"];
+/** What a relation of OpenStreetMap has as its type says nothing of the thing. */
+const UNTOLD = /^(n\/?a|none|null|unknown|no|multipolygon|boundary|node|way|relation|-)?$/i;
 /** Tags that say what a thing is, the first that a feature has counts. */
 const TELLING = ["amenity", "building", "barrier", "parking", "highway", "landuse", "natural", "area:highway"];
 /** Radius of what is given as a point, metres. */
@@ -18,15 +24,17 @@ const MOST_DEEP = 12;
 
 export type Tags = Readonly<Record<string, unknown>>;
 
-/** `kind=value` of the telling tag; `otherwise` where there is none. */
+/** `kind=value` of the telling tag, else the feature's type; `otherwise` where there is none. */
 export function layerOf(tags: Tags, otherwise: string): string {
-  const own = ["layer", "Layer", "class", "kind"]
-    .map((key) => tags[key])
-    .find((value) => typeof value === "string" && value);
-  const key = TELLING.find((one) => typeof tags[one] === "string");
+  const told = (key: string): string | undefined => {
+    const value = tags[key];
+    return typeof value === "string" && !UNTOLD.test(value) ? value : undefined;
+  };
+  const own = NAMING.map(told).find((value) => value !== undefined);
   // Extracts of OpenStreetMap number storeys in `layer`.
-  if (typeof own === "string" && !/^-?\d+$/.test(own)) return own;
-  return key ? `${key}=${String(tags[key])}` : otherwise;
+  if (own !== undefined && !/^-?\d+$/.test(own)) return own;
+  const key = TELLING.find((one) => told(one) !== undefined);
+  return key ? `${key}=${told(key)}` : (TYPING.map(told).find((value) => value !== undefined) ?? otherwise);
 }
 
 interface Drawn extends SitePlanLine {
@@ -42,15 +50,9 @@ export function readGeoJson(text: string): SitePlan {
 
 /** Lines in degrees or metres as a plan in metres. */
 export function projected(drawn: readonly Drawn[], kind: "geojson" | "osm", builder: PlanBuilder): SitePlan {
-  const box = boxOf([]);
-  for (const { points } of drawn)
-    for (const [x, y] of points) {
-      box.minX = Math.min(box.minX, x);
-      box.maxX = Math.max(box.maxX, x);
-      box.minY = Math.min(box.minY, y);
-      box.maxY = Math.max(box.maxY, y);
-    }
-  const isGlobe = kind === "osm" || areDegrees(box),
+  const lines = drawn.map(({ points }) => points),
+    box = boxOf(lines.flat()),
+    isGlobe = kind === "osm" || areDegrees(lines),
     place = isGlobe ? localProjection([(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2]) : (point: Point) => point;
   for (const { layer, points, closed, isPoint } of drawn) {
     const placed = points.map(place);

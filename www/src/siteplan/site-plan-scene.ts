@@ -37,10 +37,10 @@ const WIDEST = 1000,
 const NAMES: [Role, RegExp][] = [
   [
     "bay",
-    /\bparking[-_ ](?!lot|area|bound|outline|sign|text)|\b(bay|stall|slot|space)s?\b|bays|stalls|stellpl|parkpl|parkst|\u8f66\u4f4d|\u505c\u8f66|\uc8fc\ucc28/i,
+    /(?:\b|_)parking[-_ ](?!lot|area|bound|outline|sign|text)|\b(bay|stall|slot|space)s?\b|bays|stalls|stellpl|parkpl|parkst|\u8f66\u4f4d|\u505c\u8f66|\uc8fc\ucc28/i,
   ],
   ["kerb", /kerb|curb|bord|\u8def\u7f18|\u7f18\u77f3/i],
-  ["column", /column|pillar|post\b|bollard|s[t\u00fc]+tze|st\u00fctze|tree|\u67f1/i],
+  ["column", /column|pillar|post\b|bollard|s[t\u00fc]+tze|st\u00fctze|(?<!s)tree|\u67f1/i],
   ["building", /build|geb(\u00e4|ae)ude|house|\u5efa\u7b51|\u697c/i],
   ["wall", /wall|wand|mauer|fence|barrier|\u5899/i],
   ["ground", /amenity=parking$|(?:^|[^k])ground|floor|boundary|outline|site\b|grundst|\u8303\u56f4|\u573a\u5730/i],
