@@ -6,29 +6,9 @@ import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
 import { messages } from "./vite.messages";
 import { poster } from "./vite.poster";
+import { squeezeTemplates } from "./vite.templates";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
-
-/** Minifiers leave template literals alone; the page's styles and markup are such. */
-const squeezeTemplates: Plugin = {
-  name: "squeeze-templates",
-  enforce: "pre",
-  transform(code, id) {
-    if (!id.includes("/www/src/") || !id.endsWith(".ts")) return null;
-    return code.replace(/\b(css|html|svg)`([^`\\]*)`/g, (_, tag: string, text: string) => {
-      const lines = text.replace(/\n\s+/g, tag === "css" ? "\n" : " ");
-      return `${tag}\`${
-        tag === "css"
-          ? lines
-              .replace(/\s*([{};,])\s*/g, "$1")
-              .replace(/: /g, ":")
-              .replace(/;}/g, "}")
-              .replace(/([ :,(])0\./g, "$1.")
-          : lines
-      }\``;
-    });
-  },
-};
 
 /** Writes the service worker with the names of all files and a version that changes with any of them. */
 const serviceWorker: Plugin = {

@@ -12,5 +12,5 @@ export default defineConfig({
       { find: "parkade", replacement: here("pkg/node.js") },
     ],
   },
-  test: { include: ["tests/js/**/*.test.ts"], testTimeout: 60_000 },
+  test: { include: ["tests/js/**/*.test.ts"], setupFiles: ["tests/js/animation-frames.ts"], testTimeout: 60_000 },
 });

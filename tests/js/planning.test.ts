@@ -11,7 +11,10 @@ import { createStore, type Scene } from "../../www/src/store";
 const COLD: Timing = { search: 40, total: 45 };
 const WARM: Timing = { search: 0.4, total: 1.5 };
 
-/** Answers at once, as slowly as a worker that compiles does for its first three plans. */
+/** Milliseconds after which a worker answers: the next frame is a later one. */
+const ANSWER_MS = 20;
+
+/** Answers with times as long as those of a worker that compiles for its first three plans. */
 class ColdWorker implements WorkerLike {
   onmessage: ((event: MessageEvent<Reply>) => void) | null = null;
   onerror = null;
@@ -24,7 +27,7 @@ class ColdWorker implements WorkerLike {
 
   postMessage(request: Request): void {
     if (request.kind === "start") this.plans = 0;
-    else queueMicrotask(() => this.onmessage?.({ data: this.reply(request) } as MessageEvent<Reply>));
+    else setTimeout(() => this.onmessage?.({ data: this.reply(request) } as MessageEvent<Reply>), ANSWER_MS);
   }
 
   private reply(request: Exclude<Request, { kind: "start" }>): Reply {
@@ -39,6 +42,15 @@ class ColdWorker implements WorkerLike {
     const plan = { outcome: "found", hash: String(ColdWorker.plan++) } as Plan;
     return { kind: "planned", id, plan, layers: {}, drive: null, undriven: false, time: warm ? WARM : COLD, warm };
   }
+}
+
+const started: Planning[] = [];
+
+/** Leaves nothing to the frames of other tests. */
+function end(): void {
+  for (const planning of started.splice(0)) planning.stop();
+  vi.runAllTimers();
+  vi.useRealTimers();
 }
 
 function setup(planners: PlannerId[], workers = 8) {
@@ -59,7 +71,15 @@ function setup(planners: PlannerId[], workers = 8) {
   );
   const planning = new Planning(store, engine, () => Promise.resolve(engine));
   planning.start();
+  started.push(planning);
   return { store, planning, log, shown };
+}
+
+/** Has the time pass until every planner has answered and been timed, and no longer. */
+async function settle(planning: Planning): Promise<void> {
+  let isSettled = false;
+  void planning.whenSettled().then(() => (isSettled = true));
+  while (!isSettled) await vi.advanceTimersByTimeAsync(1);
 }
 
 const moved = (scene: Scene, x: number): Scene => ({ ...scene, start: { ...scene.start, x } });
@@ -69,12 +89,12 @@ describe("times of plans", () => {
     vi.useFakeTimers();
   });
   afterEach(() => {
-    vi.useRealTimers();
+    end();
   });
 
   it("are shown when the code is warm, never of a first plan, and before the planners count as settled", async () => {
     const { store, planning, log, shown } = setup(["four", "hybrid"]);
-    await planning.whenSettled();
+    await settle(planning);
     expect(log).toEqual(["plan", "plan", "time", "time"]);
     expect(Object.values(store.state.results).map(({ time, samples }) => [time, samples.length])).toEqual([
       [WARM, 3],
@@ -87,23 +107,23 @@ describe("times of plans", () => {
   it("are there for more planners than workers", async () => {
     const planners: PlannerId[] = ["four", "eight", "sixteen", "hybrid"];
     const { store, planning } = setup(planners, 2);
-    await planning.whenSettled();
+    await settle(planning);
     expect(planners.map((planner) => store.state.results[planner]?.time)).toEqual(planners.map(() => WARM));
   });
 
   it("stay on screen while a warm planner answers for an edit, and begin anew with another scene", async () => {
     const { store, planning, shown } = setup(["four"]);
-    await planning.whenSettled();
+    await settle(planning);
     shown.length = 0;
     for (let x = 1; x < 5; x++) {
       store.edit(moved(store.state.scene, x), { transient: x < 4 });
-      await planning.whenSettled();
+      await settle(planning);
     }
     expect(shown.length).toBeGreaterThan(4);
     for (const time of shown) expect(time).toEqual(WARM);
     shown.length = 0;
     store.edit(moved(store.state.scene, 9), { label: "open" });
-    await planning.whenSettled();
+    await settle(planning);
     expect(shown).toContain(null);
     expect(store.state.results.four!.time).toEqual(WARM);
   });
@@ -112,11 +132,11 @@ describe("times of plans", () => {
     const { store, planning, shown } = setup(["four"]);
     for (let x = 1; x < 9; x++) {
       store.edit(moved(store.state.scene, x), { transient: true });
-      await planning.whenSettled();
+      await settle(planning);
     }
     expect(new Set(shown)).toEqual(new Set([null]));
     store.edit(moved(store.state.scene, 9));
-    await planning.whenSettled();
+    await settle(planning);
     expect(store.state.results.four!.time).toEqual(WARM);
   });
 
@@ -125,10 +145,59 @@ describe("times of plans", () => {
     store.subscribe(({ results }) => {
       if (results.four?.time && !results.hybrid?.time) planning.suspend();
     });
-    await planning.whenSettled();
+    await settle(planning);
     expect(store.state.results.hybrid!.time).toBeNull();
     planning.resume();
-    await planning.whenSettled();
+    await settle(planning);
     expect(store.state.results.hybrid!.time).toEqual(WARM);
+  });
+});
+
+describe("notifications of answers", () => {
+  const PLANNERS: PlannerId[] = ["four", "eight", "risk-field", "hybrid"];
+  /** Milliseconds of a frame. */
+  const FRAME_MS = 16;
+
+  beforeEach(() => {
+    vi.useFakeTimers();
+  });
+  afterEach(() => {
+    end();
+  });
+
+  it("are one for all planners that answer within a frame, in every frame of a drag", async () => {
+    const { store, planning } = setup(PLANNERS);
+    await settle(planning);
+    const frames: (() => void)[] = [];
+    vi.stubGlobal("requestAnimationFrame", (run: () => void) => frames.push(run));
+    let told = 0,
+      answers = 0;
+    store.subscribe(({ results }, previous) => {
+      told++;
+      answers += PLANNERS.filter((one) => results[one]?.plan !== previous.results[one]?.plan).length;
+    });
+    for (let x = 1; x <= 20; x++) {
+      told = 0;
+      store.edit(moved(store.state.scene, x), { transient: true });
+      // The pointer's own; what is gathered is told with it.
+      expect(told, `move ${x}`).toBe(1);
+      await vi.advanceTimersByTimeAsync(FRAME_MS);
+      expect(told, `move ${x}`).toBe(1);
+      for (const run of frames.splice(0)) run();
+      expect(told, `frame ${x}`).toBeLessThanOrEqual(2);
+    }
+    vi.unstubAllGlobals();
+    store.edit(moved(store.state.scene, 21));
+    await settle(planning);
+    expect(answers).toBeGreaterThan(40);
+    expect(PLANNERS.map((one) => store.state.results[one]!.status)).toEqual(PLANNERS.map(() => "done"));
+  });
+
+  it("have all come when the planners count as settled", async () => {
+    const { store, planning } = setup(PLANNERS);
+    let known: unknown = null;
+    store.subscribe(({ results }) => (known = results));
+    await settle(planning);
+    expect(known).toBe(store.state.results);
   });
 });

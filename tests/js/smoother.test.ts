@@ -4,6 +4,7 @@ import type { Drive, Plan } from "parkade";
 import { decodeView, encodeView } from "../../www/src/app/view-link";
 import { chooseSmooth, followSmooth } from "../../www/src/planning/smoother";
 import { played } from "../../www/src/store/results";
+import { inNextFrame } from "../../www/src/store/animation-frame";
 import { createStore, emptyResult, type PanelResult, type Scene, type Store } from "../../www/src/store";
 import { keepPlace } from "../../www/src/view/keep-place";
 import { drivenAt } from "../../www/src/view/playback-time";
@@ -45,7 +46,11 @@ beforeEach(() => {
     setItem: (key: string, value: string) => void kept.set(key, value),
   });
 });
-afterEach(() => vi.unstubAllGlobals());
+afterEach(async () => {
+  // Nothing is left to a frame after its test.
+  await new Promise<void>((done) => inNextFrame(done));
+  vi.unstubAllGlobals();
+});
 
 /** Ten straight metres in as many seconds, at a steady pace or at twice the pace from half on. */
 function driveIn(seconds: number, middle = 5): Drive {

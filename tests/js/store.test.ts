@@ -1,5 +1,6 @@
-import { describe, expect, it, vi } from "vitest";
-import { createStore, UNDO_STEPS, type Scene } from "../../www/src/store";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { createStore, UNDO_STEPS, WITHOUT_FRAME_MS, type Scene } from "../../www/src/store";
+import { inNextFrame } from "../../www/src/store/animation-frame";
 import { ToolController } from "../../www/src/tools/controller";
 
 /** Of a canvas, what the tools' controller asks of it. */
@@ -216,6 +217,16 @@ describe("notifications", () => {
     expect(heard).toEqual(["grid false > focus true", "focus true > overlay false", "overlay false > focus false"]);
   });
 
+  it("reach derivers with what other derivers have set", () => {
+    const store = createStore({}),
+      heard: string[] = [];
+    store.derive(({ follow }) => store.set({ penSeen: follow }));
+    store.derive(({ mode }) => store.set({ follow: mode === "focus" }));
+    store.subscribe(({ mode, follow, penSeen }) => heard.push(`${mode} ${follow} ${penSeen}`));
+    store.set({ mode: "focus" });
+    expect(heard).toEqual(["focus true true"]);
+  });
+
   it("go on after a listener or a batch has failed", () => {
     const store = createStore({}),
       heard: string[] = [];
@@ -235,29 +246,124 @@ describe("notifications", () => {
     expect(heard).toEqual(["focus > overlay"]);
   });
 
-  it("of a brush stroke are at most one for each event of the pointer", async () => {
+  it("of a brush stroke are one for all moves of the pointer within a frame, and planners are asked at each", async () => {
     const store = createStore({ tool: "brush" }),
       controller = new ToolController(store),
-      canvas = new FakeCanvas();
+      canvas = new FakeCanvas(),
+      frames: (() => void)[] = [];
+    vi.stubGlobal("requestAnimationFrame", (run: () => void) => frames.push(run));
     vi.stubGlobal("addEventListener", () => {});
     vi.stubGlobal("PointerEvent", Object);
     await controller.fetchTools();
     controller.attach(canvas as unknown as HTMLElement);
-    let told = 0;
+    let told = 0,
+      asked = 0;
+    store.derive(({ scene }, previous) => {
+      if (scene !== previous.scene) asked++;
+    });
     store.subscribe(() => told++);
     canvas.send("pointerdown", 150, 150);
     expect(told).toBeLessThanOrEqual(1);
     for (let step = 1; step <= 20; step++) {
       told = 0;
-      canvas.send("pointermove", 150 + 3 * step, 150);
-      expect(told, `move ${step}`).toBe(1);
+      canvas.send("pointermove", 148 + 4 * step, 150);
+      canvas.send("pointermove", 150 + 4 * step, 150);
+      expect(told, `moves ${step}`).toBe(0);
+      const before = asked;
+      for (const run of frames.splice(0)) run();
+      expect([told, asked], `frame ${step}`).toEqual([1, before]);
       expect(store.state.transient).toBe(true);
     }
+    expect(asked).toBeGreaterThan(5);
     told = 0;
-    canvas.send("pointerup", 213, 150);
+    canvas.send("pointermove", 240, 150);
+    canvas.send("pointerup", 240, 150);
+    expect(told).toBe(1);
+    for (const run of frames.splice(0)) run();
     expect(told).toBe(1);
     expect([store.state.transient, store.state.canUndo]).toEqual([false, true]);
     vi.unstubAllGlobals();
+  });
+});
+
+describe("gathered changes", () => {
+  let frames: (() => void)[] = [];
+  const frame = (): void => frames.splice(0).forEach((run) => run());
+  const setup = () => {
+    const store = createStore({}),
+      heard: string[] = [];
+    store.subscribe((state, previous) => heard.push(`${previous.mode} ${previous.tool} > ${state.mode} ${state.tool}`));
+    return { store, heard };
+  };
+
+  beforeEach(() => {
+    vi.useFakeTimers();
+    frames = [];
+    vi.stubGlobal("requestAnimationFrame", (run: () => void) => frames.push(run));
+  });
+  afterEach(() => {
+    vi.unstubAllGlobals();
+    vi.useRealTimers();
+  });
+
+  it("are in the state at once, and told together in the next frame", () => {
+    const { store, heard } = setup();
+    store.gather({ mode: "focus" });
+    store.gather({ tool: "brush" });
+    expect([store.state.mode, store.state.tool, heard]).toEqual(["focus", "brush", []]);
+    frame();
+    expect(heard).toEqual(["grid select > focus brush"]);
+    vi.runAllTimers();
+    frame();
+    expect(heard).toHaveLength(1);
+  });
+
+  it("are told with a change that does not wait, and not again", () => {
+    const { store, heard } = setup();
+    store.gather({ mode: "focus" });
+    store.set({ tool: "brush" });
+    expect(heard).toEqual(["grid select > focus brush"]);
+    frame();
+    vi.runAllTimers();
+    expect(heard).toHaveLength(1);
+  });
+
+  it("are told without a frame where none comes, and in the next one from then on", () => {
+    const { store, heard } = setup();
+    store.gather({ mode: "focus" });
+    vi.advanceTimersByTime(WITHOUT_FRAME_MS);
+    expect(heard).toEqual(["grid select > focus select"]);
+    store.gather({ tool: "brush" });
+    frame();
+    expect(heard).toEqual(["grid select > focus select", "focus select > focus brush"]);
+    expect(frames).toEqual([]);
+  });
+
+  it("of a listener wait for the next frame", () => {
+    const { store, heard } = setup();
+    store.subscribe(({ mode }) => {
+      if (mode === "focus") store.gather({ tool: "brush" });
+    });
+    store.set({ mode: "focus" });
+    expect(heard).toEqual(["grid select > focus select"]);
+    frame();
+    expect(heard.at(-1)).toBe("focus select > focus brush");
+  });
+
+  it("are told before what is drawn in the same frame, which is drawn once, and others are done where one fails", () => {
+    const { store } = setup(),
+      done: string[] = [];
+    const draw = (): unknown => done.push(`draw ${store.state.mode}`);
+    store.subscribe(() => inNextFrame(draw));
+    inNextFrame(draw);
+    store.gather({ mode: "focus" });
+    inNextFrame(() => {
+      throw new Error("broken");
+    });
+    inNextFrame(() => done.push("last"));
+    expect(frame).toThrow("broken");
+    frame();
+    expect(done).toEqual(["draw focus", "last"]);
   });
 });
 

@@ -27,21 +27,21 @@ export class Player {
   play(): void {
     this.hurry = 1;
     const { fraction } = this.store.state.playback;
-    this.patch({ playing: true, fraction: fraction >= 1 ? 0 : fraction });
+    this.set({ playing: true, fraction: fraction >= 1 ? 0 : fraction });
     this.run();
   }
 
   pause(): void {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
-    if (this.store.state.playback.playing) this.patch({ playing: false });
+    if (this.store.state.playback.playing) this.set({ playing: false });
   }
 
   seek(fraction: number): void {
     const to = Math.min(1, Math.max(0, fraction));
     if (Number.isNaN(to)) throw new RangeError(`playhead: must be a number from 0 to 1, got ${fraction}`);
     this.pause();
-    this.patch({ fraction: to });
+    this.set({ fraction: to });
   }
 
   /** One step, or a tenth of the whole. */
@@ -52,14 +52,10 @@ export class Player {
     this.seek(fraction + sign * (far ? 0.1 : counted ? 1 / mostExpanded(state) : STEP));
   }
 
-  set(patch: Partial<Playback>): void {
-    this.patch(patch);
-  }
-
   /** Parks the cars once, in at most six seconds; people who want no motion see them parked. */
   driveIn(): void {
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
-    this.patch({ base: "drive", fraction: 0, playing: true });
+    this.set({ base: "drive", fraction: 0, playing: true });
     this.hurry = Math.max(1, durationOf(this.store.state) / FIRST_DRIVE_SECONDS);
     this.run();
   }
@@ -78,14 +74,14 @@ export class Player {
     const rate = (state.playback.speed * this.hurry) / durationOf(state);
     const fraction = state.playback.fraction + seconds * rate;
     if (fraction >= 1 && !this.loop) {
-      this.patch({ fraction: 1, playing: false });
+      this.set({ fraction: 1, playing: false });
       return;
     }
-    this.patch({ fraction: fraction >= 1 ? 0 : fraction });
+    this.set({ fraction: fraction >= 1 ? 0 : fraction });
     this.frame = requestAnimationFrame((later) => this.tick(later));
   }
 
-  private patch(patch: Partial<Playback>): void {
+  set(patch: Partial<Playback>): void {
     this.store.set({ playback: { ...this.store.state.playback, ...patch } });
   }
 }

@@ -3,20 +3,6 @@ import type { App } from "../app/app";
 import { number, translate, type MessageKey, type Values } from "../i18n/index";
 import type { State } from "../store";
 
-let frame: Promise<void> | null = null;
-
-/** Pages in the background get no frames, but must not fall behind for good. */
-function nextFrame(): Promise<void> {
-  if (document.hidden) return Promise.resolve();
-  frame ??= new Promise((done) =>
-    requestAnimationFrame(() => {
-      frame = null;
-      done();
-    }),
-  );
-  return frame;
-}
-
 /** Resolves in the frame in which an element has a box, before that is painted. */
 function boxed(element: Element): Promise<void> {
   return new Promise((done) => {
@@ -73,13 +59,10 @@ export abstract class AppElement extends LitElement {
     return false;
   }
 
-  /** Answers of several planners within a frame are one redraw. */
   protected override async scheduleUpdate(): Promise<void> {
-    if (this.hasUpdated) {
-      const wait = this.pace > 0 && this.state.transient ? this.drawnAt + this.pace - performance.now() : 0;
-      if (wait > 0) await new Promise((done) => setTimeout(done, wait));
-      await nextFrame();
-    }
+    const wait =
+      this.hasUpdated && this.pace > 0 && this.state.transient ? this.drawnAt + this.pace - performance.now() : 0;
+    if (wait > 0) await new Promise((done) => setTimeout(done, wait));
     this.drawnAt = performance.now();
     super.scheduleUpdate();
   }

@@ -33,6 +33,8 @@ export class Menus<Name extends string> implements ReactiveController {
   async toggle(name: Name, opener: HTMLElement): Promise<void> {
     if (this.open === name) return;
     this.open = name;
+    // The platform's own answer to the press comes first: it would close what it finds open.
+    await new Promise((done) => setTimeout(done));
     this.host.requestUpdate();
     await this.host.updateComplete;
     const { popover } = this;
@@ -77,7 +79,7 @@ export class Menus<Name extends string> implements ReactiveController {
     if (event.key === "Escape") event.stopPropagation();
     if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
     const items = this.items(),
-      now = items.findIndex((one) => one === this.focused);
+      now = items.indexOf(this.focused as HTMLElement);
     if (now < 0) return;
     event.preventDefault();
     items[(now + (event.key === "ArrowDown" ? 1 : -1) + items.length) % items.length]?.focus();

@@ -2,13 +2,14 @@ import type { PlannerId } from "parkade";
 import { css, html, LitElement, type PropertyValues } from "lit";
 import type { App } from "../app/app";
 import type { PanelResult, State } from "../store";
+import { inNextFrame } from "../store/animation-frame";
 import type { View } from "../view/camera";
 import type { PoseRequest } from "../view/pose-label";
 import { SceneCanvas } from "../view/scene-canvas";
 import { laterTexts } from "./lazy-texts";
 
 /** Parts of the state that never show on a canvas. */
-const UNSEEN: readonly (keyof State)[] = ["message", "live", "canUndo", "canRedo"];
+const UNSEEN: readonly (keyof State)[] = ["message", "live", "canUndo", "canRedo", "progress"];
 /** State that a drag changes; the camera rests. */
 const DRAGGED: readonly (keyof State)[] = ["scene", "geometry", "results", "hover", "draft", "explained", "reason"];
 /** How long (ms) a map may stand still while another is dragged on. */
@@ -56,7 +57,6 @@ export class SceneView extends LitElement {
   declare label: string;
   private scene: SceneCanvas | null = null;
   private detach: (() => void)[] = [];
-  private frame = 0;
   private late: ReturnType<typeof setTimeout> | undefined;
 
   /** Camera and size last drawn with. */
@@ -135,10 +135,8 @@ export class SceneView extends LitElement {
   }
 
   private end(): void {
-    cancelAnimationFrame(this.frame);
     clearTimeout(this.late);
     this.late = undefined;
-    this.frame = 0;
     for (const stop of this.detach) stop();
     this.detach = [];
     this.scene?.dispose();
@@ -151,17 +149,16 @@ export class SceneView extends LitElement {
   };
 
   private readonly schedule = (): void => {
-    if (!this.frame && this.scene) this.frame = requestAnimationFrame(() => this.paint());
+    inNextFrame(this.paint);
   };
 
-  private paint(): void {
-    this.frame = 0;
+  private readonly paint = (): void => {
     clearTimeout(this.late);
     this.late = undefined;
     const { state } = this.app.store;
     this.scene?.draw(state, this.planners, this.app.tokens(), state.draft);
     if (this.view) laterTexts()?.showScale(this.renderRoot, this.view, state.lang);
-  }
+  };
 }
 
 customElements.define("parkade-scene-view", SceneView);

@@ -167,6 +167,6 @@ export class BayChecker {
       done,
       of: this.of,
     };
-    this.store.set({ bays });
+    this.store.gather({ bays });
   }
 }

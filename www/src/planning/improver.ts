@@ -73,7 +73,7 @@ class Improver {
   }
 
   start(): void {
-    this.app.store.subscribe((state, previous) => {
+    this.app.store.derive((state, previous) => {
       const { question } = this;
       if (question && !isAsked(question, state)) this.giveUp();
       if (WATCHED.some((key) => state[key] !== previous[key])) this.follow();
@@ -95,7 +95,7 @@ class Improver {
     if (this.better && this.question && isGood(state, this.question.planner))
       this.show(this.question.planner, this.better);
     const ids = keysOf({ ...old, ...choices });
-    if (ids.some((planner) => old[planner] !== choices[planner])) this.app.store.set({ choices });
+    if (ids.some((planner) => old[planner] !== choices[planner])) this.app.store.gather({ choices });
     this.tell();
     clearTimeout(this.rest);
     const next = this.question ? undefined : this.next();
@@ -177,7 +177,7 @@ class Improver {
     const { question, state } = this,
       plan = question && state.results[question.planner]?.plan;
     const improving = question && plan && !isProven(plan as HybridPlan, question.prefer) ? question.planner : undefined;
-    if (improving !== state.improving) this.app.store.set({ improving });
+    if (improving !== state.improving) this.app.store.gather({ improving });
   }
 
   /**
@@ -201,7 +201,7 @@ class Improver {
       lastGood: plan,
       drive: choice.drive,
     };
-    this.app.store.set({ results: { ...results, [planner]: patch } });
+    this.app.store.gather({ results: { ...results, [planner]: patch } });
   }
 }
 

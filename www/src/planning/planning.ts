@@ -24,7 +24,7 @@ const TOO_LONG_MS = 400,
 const QUIET_MS = 350;
 const HOLD_MS = 12;
 
-/** Keeps `results` and `geometry` of the store in step with its scene. */
+/** Keeps `results` and `geometry` of the store in step with its scene. Answers of a frame are told together. */
 export class Planning {
   private readonly lanes = new Map<PlannerId, Lane>();
   private unsubscribe: (() => void) | null = null;
@@ -46,7 +46,8 @@ export class Planning {
   /** The present measurement; another one, or none, ends it. */
   private measuring: object | null = null;
   private isWarmingUp = false;
-  private settled: { promise: Promise<void>; resolve: () => void } | null = null;
+  /** Those who wait for all answers and their times. */
+  private readonly settling: (() => void)[] = [];
 
   constructor(
     private readonly store: Store,
@@ -126,15 +127,7 @@ export class Planning {
 
   /** Resolves when every planner has answered for the present scene, and been timed. */
   whenSettled(): Promise<void> {
-    if (!this.isBusy() && !this.isWarmingUp) return Promise.resolve();
-    if (!this.settled) {
-      let resolve = (): void => {};
-      const promise = new Promise<void>((done) => {
-        resolve = done;
-      });
-      this.settled = { promise, resolve };
-    }
-    return this.settled.promise;
+    return new Promise((done) => (this.isBusy() || this.isWarmingUp ? this.settling.push(done) : done()));
   }
 
   /** Times planners again, one after another; their `results` then hold that many samples. */
@@ -174,7 +167,7 @@ export class Planning {
     const wanted =
       hover && layers.risk && !transient && lane && lane.module === this.engine.module && this.store.state.complete;
     const explained = wanted ? await lane.explain(hover.x, hover.y).catch(() => null) : null;
-    if (explained !== this.store.state.explained && this.store.state.hover === hover) this.store.set({ explained });
+    if (explained !== this.store.state.explained && this.store.state.hover === hover) this.store.gather({ explained });
   }
 
   private isBusy(): boolean {
@@ -308,7 +301,7 @@ export class Planning {
   private progressed(planner: PlannerId, id: number, expansions: number): void {
     const { progress, results } = this.store.state;
     if (id === this.job && results[planner]?.status === "planning")
-      this.store.set({ progress: { ...progress, [planner]: expansions } });
+      this.store.gather({ progress: { ...progress, [planner]: expansions } });
   }
 
   private planned(planner: PlannerId, reply: Extract<Reply, { kind: "planned" }>, newerWaits: boolean): void {
@@ -334,7 +327,7 @@ export class Planning {
     this.update(planner, reply.id < this.mapJob ? offLattice(result) : result);
     if (reply.undriven && !newerWaits) {
       const { lang } = this.store.state;
-      this.store.set({
+      this.store.gather({
         message: { tone: "warn", text: translate(lang, "error.drive", { planner: plannerName(lang, planner) }) },
       });
     }
@@ -346,20 +339,20 @@ export class Planning {
     if (newerWaits) return;
     if (error.code !== "internal") {
       const text = failureText(this.store.state.lang, planner, error);
-      this.store.set({ message: { tone: "err", text, code: error.code } });
+      this.store.gather({ message: { tone: "err", text, code: error.code } });
     }
     this.afterResult();
   }
 
   private update(planner: PlannerId, patch: Partial<PanelResult>): void {
     const { results } = this.store.state;
-    this.store.set({ results: { ...results, [planner]: { ...(results[planner] ?? emptyResult), ...patch } } });
+    this.store.gather({ results: { ...results, [planner]: { ...(results[planner] ?? emptyResult), ...patch } } });
   }
 
   private sayRestarted(planner: PlannerId): void {
     const { lang } = this.store.state;
     const text = translate(lang, "panel.restarted", { planner: plannerName(lang, planner) });
-    this.store.set({ message: { tone: "warn", text } });
+    this.store.gather({ message: { tone: "warn", text } });
   }
 
   private afterResult(): void {
@@ -378,8 +371,10 @@ export class Planning {
     if (untimed.length > 0) await this.measure(WARM_UP, untimed, WARM_UP_MS);
     if (this.isBusy()) return;
     this.isWarmingUp = false;
-    this.settled?.resolve();
-    this.settled = null;
+    for (const done of this.settling.splice(0)) {
+      this.store.tell();
+      done();
+    }
     this.whenQuiet();
   }
 

@@ -71,7 +71,7 @@ class Smoother {
   }
 
   start(): void {
-    this.app.store.subscribe((state, previous) => {
+    this.app.store.derive((state, previous) => {
       // A drag has the processors to itself.
       if (state.transient && this.asked) {
         this.isDropped = true;
@@ -90,8 +90,7 @@ class Smoother {
       const smoothed = (smooth && result.plan && this.known.get(result.plan)) || null;
       if (smoothed !== (result.smoothed ?? null)) next[planner] = { ...result, smoothed };
     }
-    // What it sets calls this again.
-    if (Object.keys(next).length > 0) return this.app.store.set({ results: { ...results, ...next } });
+    if (Object.keys(next).length > 0) this.app.store.gather({ results: { ...results, ...next } });
     const planner = this.asked ? undefined : this.next();
     if (planner) void this.ask(planner);
   }

@@ -1,5 +1,6 @@
 /** The page's store: what is drawn with its history, and everything that views follow. */
 import { thingsOf, type Selection } from "../scene/selection";
+import { inNextFrame } from "./animation-frame";
 import { initialState, type Scene, type State } from "./state";
 
 export * from "./state";
@@ -21,10 +22,17 @@ export type Listener = (state: State, previous: State) => void;
 export interface Store {
   readonly state: State;
   set(patch: Partial<State>): void;
-  /** Makes one notification of all changes: those of a pointer's move are one. */
-  batch(run: () => void): void;
+  /** The same, but notifies in the next frame, or with the next notification if that is sooner. */
+  gather(patch: Partial<State>): void;
+  /** Notifies of what is gathered. */
+  tell(): void;
+  /** Makes one notification of all changes, at once or as `gather` does; what follows from them is derived at once. */
+  batch(run: () => void, gathers?: boolean): void;
   subscribe(listener: Listener): () => void;
-  /** The same before all listeners: what it sets is part of the notification that it is told of. */
+  /**
+   * The same before all listeners: what it sets is part of the notification that it is told of, and is told to all
+   * derivers first.
+   */
   derive(listener: Listener): () => void;
   /** Applies an edit and pushes one undo step; the edits of one drag (`transient`, then one final) are one step. */
   edit(next: Scene, options?: EditOptions): void;
@@ -39,6 +47,8 @@ export interface Store {
 }
 
 export const UNDO_STEPS = 500;
+/** Pages out of sight get no frames. */
+export const WITHOUT_FRAME_MS = 100;
 
 export function createStore(initial: Partial<State> = {}): Store {
   return new SceneStore({ ...initialState(), ...initial });
@@ -50,6 +60,12 @@ class SceneStore implements Store {
   private readonly derivers = new Set<Listener>();
   /** The state that the listeners know. */
   private told: State;
+  /** The state that the derivers know. */
+  private known: State;
+  /** True if a change must not wait for the next frame. */
+  private isDue = false;
+  /** What is gathered is told then where no frame comes. */
+  private late: ReturnType<typeof setTimeout> | undefined;
   /** Above 0 while changes wait: in a batch, and while listeners are told of one. */
   private holds = 0;
   private past: Scene[] = [];
@@ -60,25 +76,37 @@ class SceneStore implements Store {
   private dragFrom: Scene | null = null;
 
   constructor(state: State) {
-    this.state = this.told = state;
+    this.state = this.told = this.known = state;
   }
 
   set(patch: Partial<State>): void {
-    const previous = this.state;
-    const keys = Object.keys(patch) as (keyof State)[];
-    if (keys.every((key) => Object.is(patch[key], previous[key]))) return;
-    this.state = { ...previous, ...patch };
-    this.batch(() => {});
+    if (this.change(patch)) this.tell();
   }
 
-  batch(run: () => void): void {
+  gather(patch: Partial<State>): void {
+    if (this.change(patch)) this.tellInFrame();
+  }
+
+  readonly tell = (): void => {
+    clearTimeout(this.late);
+    this.late = undefined;
+    this.isDue = this.told !== this.state;
+    this.batch(() => {});
+  };
+
+  batch(run: () => void, gathers = false): void {
     this.holds++;
     try {
       run();
-      while (this.holds === 1 && this.told !== this.state) {
-        const previous = this.told;
-        for (const deriver of [...this.derivers]) deriver(this.state, previous);
-        const state = (this.told = this.state);
+      if (gathers && this.holds === 1 && this.isDue) {
+        this.derived();
+        this.isDue = false;
+        this.tellInFrame();
+      }
+      while (this.holds === 1 && this.isDue) {
+        const previous = this.told,
+          state = (this.told = this.derived());
+        this.isDue = false;
         for (const listener of [...this.listeners]) listener(state, previous);
       }
     } finally {
@@ -136,6 +164,30 @@ class SceneStore implements Store {
     // Which of them were opened is not kept.
     for (const one of [...past, scene, ...future]) this.whole.add(one);
     this.apply(scene, "open", true);
+  }
+
+  private tellInFrame(): void {
+    inNextFrame(this.tell, true);
+    this.late ??= setTimeout(this.tell, WITHOUT_FRAME_MS);
+  }
+
+  /** The state with all that follows from it. */
+  private derived(): State {
+    while (this.known !== this.state) {
+      const { known, state } = this;
+      this.known = state;
+      for (const deriver of [...this.derivers]) deriver(state, known);
+    }
+    return this.state;
+  }
+
+  /** False where nothing changes. */
+  private change(patch: Partial<State>): boolean {
+    const { state } = this,
+      keys = Object.keys(patch) as (keyof State)[];
+    if (keys.every((key) => Object.is(patch[key], state[key]))) return false;
+    this.state = { ...state, ...patch };
+    return true;
   }
 
   private travel(from: Scene[], to: Scene[], reason: string): void {

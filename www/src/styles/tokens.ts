@@ -1,6 +1,6 @@
-import { css, unsafeCSS } from "lit";
+import { css } from "lit";
 
-const dark = unsafeCSS(`
+const dark = css`
   color-scheme: dark;
   --parkade-app: #0e1013; --parkade-panel: #15181c; --parkade-bg: #15181c; --parkade-floor: var(--parkade-bg); --parkade-out: #0b0d0f;
   --parkade-raise: #1f2329; --parkade-hover: #20252b; --parkade-press: #2a3037;
@@ -12,9 +12,9 @@ const dark = unsafeCSS(`
   --parkade-err: #ff8a80; --parkade-err-soft: #3a1f1e; --parkade-warn: #e8b45a; --parkade-warn-soft: #332915;
   --parkade-float: 0 1px 2px rgb(0 0 0 / .4), 0 4px 16px rgb(0 0 0 / .4);
   --parkade-lift: 0 2px 6px rgb(0 0 0 / .4), 0 16px 48px rgb(0 0 0 / .6);
-`);
+`;
 
-const light = unsafeCSS(`
+const light = css`
   color-scheme: light;
   --parkade-app: #f4f4f2; --parkade-panel: #ffffff; --parkade-bg: #ffffff; --parkade-floor: var(--parkade-bg); --parkade-out: #ecece9;
   --parkade-raise: #ffffff; --parkade-hover: #f0f0ed; --parkade-press: #e6e6e2;
@@ -26,7 +26,7 @@ const light = unsafeCSS(`
   --parkade-err: #b3261e; --parkade-err-soft: #fbecea; --parkade-warn: #8a5300; --parkade-warn-soft: #fbf1e0;
   --parkade-float: 0 1px 2px rgb(20 22 26 / .06), 0 4px 16px rgb(20 22 26 / .10);
   --parkade-lift: 0 2px 6px rgb(20 22 26 / .08), 0 16px 48px rgb(20 22 26 / .18);
-`);
+`;
 
 /** Colours, type and motion; set once on the outer element and inherited by every shadow root inside. */
 export const tokens = css`

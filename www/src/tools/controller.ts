@@ -72,14 +72,15 @@ export class ToolController {
       type: K,
       handler: (event: HTMLElementEventMap[K]) => void,
       passive = true,
+      isMove = false,
     ): void =>
-      canvas.addEventListener(type, (event) => this.store.batch(() => handler(event)), {
+      canvas.addEventListener(type, (event) => this.store.batch(() => handler(event), isMove), {
         signal: events.signal,
         passive,
       });
     on("pointerdown", (event) => this.pointerDown(canvas, event), false);
-    on("pointerrawupdate", (event) => this.pointerEarly(canvas, event as PointerEvent));
-    on("pointermove", (event) => this.pointerFrame(canvas, event));
+    on("pointerrawupdate", (event) => this.pointerEarly(canvas, event as PointerEvent), true, true);
+    on("pointermove", (event) => this.pointerFrame(canvas, event), true, true);
     on("pointerup", (event) => this.pointerUp(canvas, event));
     on("pointercancel", (event) => this.pointerUp(canvas, event));
     on("lostpointercapture", (event) => this.pointerUp(canvas, event));
@@ -93,7 +94,7 @@ export class ToolController {
     on("focus", () => {
       this.canvas = canvas;
     });
-    on("wheel", (event) => this.wheelTurned(canvas, event), false);
+    on("wheel", (event) => this.wheelTurned(canvas, event), false, true);
     const blur = (): void => this.endPress();
     globalThis.addEventListener("blur", blur, { signal: events.signal });
     return () => {

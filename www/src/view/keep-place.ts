@@ -13,7 +13,7 @@ const SAME = 1e-3;
  * is somebody's choice, and boxes have a clock of their own.
  */
 export function keepPlace(store: Store): void {
-  store.subscribe((state, previous) => {
+  store.derive((state, previous) => {
     const { playback, results, scene } = state;
     const isUnderWay = playback.playing && playback.base === "drive" && playback.fraction > 0 && playback.fraction < 1;
     if (results === previous.results || !isUnderWay || scene.moving?.length) return;
