@@ -93,7 +93,8 @@ const workersAlone: Plugin = {
       const page = /\/planning\/engine-(core|complete)\.ts$/.test(facadeModuleId ?? "") && pageIn(fileName);
       if (page)
         this.error(
-          `${fileName} imports the page's ${page}, by itself or through others: a module that the page and the workers share must not be imported by both.`,
+          `${fileName} imports the page's ${page}, by itself or through others: a module that the page and the ` +
+            `workers share must not be imported by both.`,
         );
     }
   },
@@ -130,7 +131,8 @@ export default defineConfig({
     target: "es2022",
     // A data: URL for the wasm file would lose streaming compilation, and the page's policy forbids it.
     assetsInlineLimit: 0,
-    // What the page opens with is one file, also where a part fetched later uses it too: every request costs a round trip.
+    // What the page opens with is one file, also where a part fetched later uses it too: every request costs a
+    // round trip.
     rolldownOptions: {
       input: {
         index: here("www/index.html"),

@@ -20,7 +20,8 @@ const TOLERANCE = 0.03,
 /** Metres along a path from one outline of its swept area to the next. */
 const SWEEP_STEP = 0.7;
 const HATCH =
-  '<pattern id="hatch" width="6" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path fill="none" stroke="#b3261e" stroke-width="1.2" stroke-opacity=".8" d="M0 3H6"/></pattern>';
+  '<pattern id="hatch" width="6" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path ' +
+  'fill="none" stroke="#b3261e" stroke-width="1.2" stroke-opacity=".8" d="M0 3H6"/></pattern>';
 
 type Api = typeof import("parkade");
 type At = [number, number];
@@ -116,7 +117,10 @@ function draw(api: Api): { html: string; css: string } {
       )
       .join("");
     const lot = i === 0 ? `<g id="lot">${body}</g>` : `<use href="#lot"/>`;
-    return `<div><b>${name}</b><svg viewBox="0 0 ${width} ${height}" aria-hidden="true">${lot}${area}${lines}</svg></div>`;
+    return (
+      `<div><b>${name}</b><svg viewBox="0 ` +
+      `0 ${width} ${height}" aria-hidden="true">${lot}${area}${lines}</svg></div>`
+    );
   });
   return { html: panels.join(""), css: rules };
 }
@@ -178,10 +182,7 @@ function shortened(svg: string): { rules: string; body: string } {
   });
   const rules = /<style>([^]*?)<\/style>/.exec(short)?.[1] ?? "";
   const body = short
-    .replace(
-      /^<svg[^>]*>|<\/svg>\s*$|<title>[^]*?<\/title>|<metadata>[^]*?<\/metadata>|<style>[^]*?<\/style>| stroke-miterlimit="10"/g,
-      "",
-    )
+    .replace(/^<svg[^>]*>|<\/svg>\s*$|<(title|metadata|style)>[^]*?<\/\1>| stroke-miterlimit="10"/g, "")
     .replace(/(\d\.\d)\d/g, "$1")
     .replace(/(\d)\.0\b/g, "$1");
   return { rules, body };

@@ -4,12 +4,16 @@ const VERSION = "";
 const CACHE = `parkade-${VERSION}`;
 
 self.addEventListener("install", (event) => {
-  event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(FILES.map((file) => new Request(file, { cache: "no-cache" })))));
+  const requests = FILES.map((file) => new Request(file, { cache: "no-cache" }));
+  event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(requests)));
 });
 
 // A new version takes over when the last tab of the old one is closed: its files belong together.
 self.addEventListener("activate", (event) => {
-  event.waitUntil(caches.keys().then((names) => Promise.all(names.filter((name) => name.startsWith("parkade-") && name !== CACHE).map((name) => caches.delete(name)))));
+  const isOld = (name) => name.startsWith("parkade-") && name !== CACHE;
+  event.waitUntil(
+    caches.keys().then((names) => Promise.all(names.filter(isOld).map((name) => caches.delete(name)))),
+  );
 });
 
 self.addEventListener("fetch", (event) => {

@@ -8,6 +8,9 @@ import { pathToFileURL } from "node:url";
 /** @typedef {import("parkade").PlannerInfo} PlannerInfo */
 /** @typedef {import("parkade").ParameterInfo} ParameterInfo */
 
+/** Longer lines are divided. */
+const WIDEST = 120;
+
 /** @param {PlannerInfo[]} all */
 function declarations(all) {
   const families = [...new Set(all.map(({ family }) => family))];
@@ -28,7 +31,8 @@ function declarations(all) {
         all.filter((one) => one.family === family),
       ),
     ),
-    `/** The settings of each planner, all of them optional. */\nexport interface PlannerSettings {\n${all.map((one) => `  ${key(one.id)}: ${settingsName(one, all)};`).join("\n")}\n}`,
+    `/** The settings of each planner, all of them optional. */\nexport interface PlannerSettings ` +
+      `{\n${all.map((one) => `  ${key(one.id)}: ${settingsName(one, all)};`).join("\n")}\n}`,
     "",
   ]
     .join("\n\n")
@@ -36,7 +40,24 @@ function declarations(all) {
 }
 
 /** @param {string} name @param {string[]} words */
-const union = (name, words) => `export type ${name} = ${words.map((word) => JSON.stringify(word)).join(" | ")};`;
+function union(name, words) {
+  const members = words.map((word) => JSON.stringify(word)),
+    line = `export type ${name} = ${members.join(" | ")};`;
+  return line.length > WIDEST ? `export type ${name} =\n  | ${members.join("\n  | ")};` : line;
+}
+
+/** A comment before a field, in as many lines as it needs. @param {string} text */
+function comment(text) {
+  const line = `  /** ${text} */`;
+  if (line.length <= WIDEST) return line;
+  const lines = [""];
+  for (const word of text.split(" ")) {
+    const last = `${lines.at(-1)} ${word}`;
+    if (`   *${last}`.length > WIDEST) lines.push(` ${word}`);
+    else lines[lines.length - 1] = last;
+  }
+  return ["  /**", ...lines.map((one) => `   *${one}`), "   */"].join("\n");
+}
 
 /**
  * What all planners of a family have, and what groups of them have besides.
@@ -49,7 +70,8 @@ function familySettings(family, members) {
   const shared = first.filter((text) => [...texts.values()].every((others) => others.includes(text)));
   const base = `${pascal(family)}Settings`;
   const blocks = [
-    `/** Settings of ${members.length > 1 ? `every ${family} planner` : key(members[0]?.id ?? "")}. */\nexport interface ${base} {\n${shared.join("\n")}\n}`,
+    `/** Settings of ${members.length > 1 ? `every ${family} planner` : key(members[0]?.id ?? "")}. */\nexport ` +
+      `interface ${base} {\n${shared.join("\n")}\n}`,
   ];
   for (const one of members) {
     const own = (texts.get(one) ?? []).filter((text) => !shared.includes(text));
@@ -103,7 +125,9 @@ function field(parameter, family) {
       ? ""
       : ` Usual range: ${parameter.min} to ${parameter.max}${parameter.unit === "1" ? "" : ` ${parameter.unit}`}.`;
   const standard = defaults.size > 1 ? "" : ` Default: ${[...defaults][0]}.`;
-  return `  /** ${parameter.doc.en}${range}${standard} */\n  ${parameter.name}?: ${kind(parameter)}${isNullable ? " | null" : ""};`;
+  return `${comment(`${parameter.doc.en}${range}${standard}`)}\n  ${parameter.name}?: ${kind(parameter)}${
+    isNullable ? " | null" : ""
+  };`;
 }
 
 /** @param {ParameterInfo} parameter */

@@ -79,13 +79,15 @@ export function write(folder: string, all: readonly Page[]): void {
 function page(info: PlannerInfo, lang: Lang, chapterText: string): string {
   const words = WORDS[info.id]!,
     t = TEXT[lang];
-  return `# ${info.title[lang]}
+  return (
+    `# ${info.title[lang]}
 
 \`${info.id}\` · ${t.paper}: ${info.paper}
 
 ${words[lang]}
 
-<parkade-playground scene="${words.scene}" planners="${info.id}" layout="single" controls="minimal" editable lang="${lang}" alt="${t.drawn}"></parkade-playground>
+<parkade-playground scene="${words.scene}" planners="${info.id}" layout="single" controls="minimal" editable ` +
+    `lang="${lang}" alt="${t.drawn}"></parkade-playground>
 
 *${t.figure}*
 
@@ -114,7 +116,8 @@ planner.free();
 | ${t.name} | ${t.unit} | ${t.range} | ${t.default} | ${t.why} |
 | --- | --- | --- | --- | --- |
 ${info.parameters.map((one) => row(one, lang)).join("\n")}
-`;
+`
+  );
 }
 
 function row({ name, unit, min, max, choices, default: value, title, doc }: ParameterInfo, lang: Lang): string {
@@ -123,7 +126,9 @@ function row({ name, unit, min, max, choices, default: value, title, doc }: Para
     : min !== undefined || max !== undefined
       ? `${min ?? ""} … ${max ?? ""}`
       : "";
-  return `| \`${name}\` | ${unit} | ${range} | \`${JSON.stringify(value)}\` | ${escaped(`${title[lang]}. ${doc[lang]}`)} |`;
+  return `| \`${name}\` | ${unit} | ${range} | \`${JSON.stringify(value)}\` | ${escaped(
+    `${title[lang]}. ${doc[lang]}`,
+  )} |`;
 }
 
 const escaped = (text: string): string => text.replaceAll("|", "\\|").replaceAll("<", "&lt;").replaceAll("{", "&#123;");

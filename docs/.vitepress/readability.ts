@@ -23,7 +23,10 @@ export function proseOf(markdown: string): string[] {
   return [...plain.split(/\n\s*\n|\n(?=\s*[*\d]+[.\s])/), ...texts].map((one) => one.replace(/\s+/g, " ").trim());
 }
 
-/** Sentences end with a full stop, a question mark or an exclamation mark before a space; the dots of numbers and file names do not. */
+/**
+ * Sentences end with a full stop, a question mark or an exclamation mark before a space; dots of numbers and files end
+ * none.
+ */
 function sentencesOf(paragraph: string): string[] {
   return paragraph.split(/(?<=[.?!]["”)]?)\s+/).filter((one) => /\p{L}{2}/u.test(one));
 }

@@ -2,8 +2,9 @@
 
 Every bay of each scene: --task="--task audit --vehicle sedan,van".
 
-Every shard is one task that runs the command `parkade batch`. All machines need Node, the npm package and the scenes' folder at
-the same place, and OUT must be a folder that they share. Tasks that die are tried again and go on in their own file.
+Every shard is one task that runs the command `parkade batch`. All machines need Node, the npm package and the scenes'
+folder at the same place, and OUT must be a folder that they share. Tasks that die are tried again
+and go on in their own file.
 """
 
 import argparse

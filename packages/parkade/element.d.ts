@@ -80,9 +80,15 @@ export interface ParkadePlayground extends HTMLElement {
   settled(): Promise<void>;
   dismissPoster(): Promise<void>;
   addEventListener<Name extends keyof PlaygroundEvents>(
-    name: Name, listener: (this: ParkadePlayground, event: CustomEvent<PlaygroundEvents[Name]>) => unknown, options?: boolean | AddEventListenerOptions,
+    name: Name,
+    listener: (this: ParkadePlayground, event: CustomEvent<PlaygroundEvents[Name]>) => unknown,
+    options?: boolean | AddEventListenerOptions,
   ): void;
-  addEventListener(name: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  addEventListener(
+    name: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
 }
 
 declare global {

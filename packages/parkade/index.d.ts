@@ -524,7 +524,13 @@ export interface Stages {
   /** The shortest way over the same cells. */
   shortest: [number, number][];
   /** The circles that round corners: each touches the segment before in `from` and the one after in `to`. */
-  arcs: { corner: [number, number]; from: [number, number]; to: [number, number]; center: [number, number]; radius: number }[];
+  arcs: {
+    corner: [number, number];
+    from: [number, number];
+    to: [number, number];
+    center: [number, number];
+    radius: number;
+  }[];
   /** Corners that no arc rounds. */
   sharp: [number, number][];
 }
@@ -563,7 +569,9 @@ export interface RoadPlan extends AnyPlan {
 export type Plan = GridPlan | HybridPlan | RoadPlan;
 
 /** The answer of one planner. */
-export type PlanOf<Id extends PlannerId> = Id extends GridPlannerId ? GridPlan : Id extends HybridPlannerId ? HybridPlan : RoadPlan;
+export type PlanOf<Id extends PlannerId> = Id extends GridPlannerId
+  ? GridPlan
+  : Id extends HybridPlannerId ? HybridPlan : RoadPlan;
 
 /**
  * The search that found the path or, where there is none, that went through everything with the least margin, or was
@@ -832,7 +840,10 @@ export interface OccupancyGrid {
  * A scene of a ROS map message, in the map's frame. `occupied` is 65 by default. A map that is rotated is refused.
  * `parkade` only, not `parkade/core`.
  */
-export function fromOccupancyGrid(message: OccupancyGrid, options: Omit<OccupancyOptions, "resolution" | "origin">): Scenario;
+export function fromOccupancyGrid(
+  message: OccupancyGrid,
+  options: Omit<OccupancyOptions, "resolution" | "origin">,
+): Scenario;
 
 /** A seeded map; the same arguments give the same map everywhere. */
 export type Family =
@@ -891,7 +902,9 @@ export interface PaperTable {
  * smallest and the largest, null where none is measured.
  */
 export interface PaperClaim {
-  id: "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "Y5" | "Y6" | "K1" | "K2" | "K3" | "K4" | "K5" | "R1" | "R2" | "R3" | "R4" | "R5";
+  id:
+    | "H1" | "H2" | "H3" | "Y1" | "Y2" | "Y3" | "Y4" | "Y5" | "Y6" | "K1" | "K2" | "K3" | "K4" | "K5"
+    | "R1" | "R2" | "R3" | "R4" | "R5";
   figures: Record<string, number | [low: number, high: number] | null>;
   holds: "yes" | "no" | "partly" | "unknown";
 }
@@ -904,7 +917,10 @@ export function paperGridRows(): { rows: PaperRow[]; planners: string[]; columns
  */
 export function paperGrid(slice: { row: string; from: number; to: number }): Float64Array;
 /** The papers' values beside ours, from all figures of each row; claims are judged when all rows are there. */
-export function paperGridSummary(measured: Record<string, Float64Array>): { tables: PaperTable[]; claims: PaperClaim[] };
+export function paperGridSummary(measured: Record<string, Float64Array>): {
+  tables: PaperTable[];
+  claims: PaperClaim[];
+};
 
 /** A scene of the road manuscript; printed values of plain and improved A*. */
 export interface RoadRow {
@@ -927,16 +943,18 @@ export interface RoadTable {
     /** No curve was good enough. */
     fellBack: boolean;
     metrics: Required<Pick<RoadMetrics,
-      | "cost" | "turnsRaw" | "turnsPruned" | "startMoved" | "goalMoved" | "bytes" | "middleLength" | "bodyClearanceMin" | "bodyClearanceMean"
-      | "sideClearanceMin" | "sideClearanceMean" | "curvatureVariation" | "middleCurvature" | "laneDeviationMax" | "laneDeviationMean"
+      | "cost" | "turnsRaw" | "turnsPruned" | "startMoved" | "goalMoved" | "bytes" | "middleLength"
+      | "bodyClearanceMin" | "bodyClearanceMean" | "sideClearanceMin" | "sideClearanceMean" | "curvatureVariation"
+      | "middleCurvature" | "laneDeviationMax" | "laneDeviationMean"
       | "laneLeftShare" | "margin" | "marginKept" | "marginExcluded" | "bodyClearanceMeanCapped">>;
     risk: { trials: number; hits: number; discHits: number };
     milliseconds: number;
   }[];
   /** Promises of the second line; none for ships. */
   promises: {
-    figure: "length" | "turns" | "curvatureVariation" | "curvature" | "clearanceMean" | "clearanceLeast" | "hits" | "laneDeviation"
-      | "laneLeft" | "bytesPerCell";
+    figure:
+      | "length" | "turns" | "curvatureVariation" | "curvature" | "clearanceMean" | "clearanceLeast" | "hits"
+      | "laneDeviation" | "laneLeft" | "bytesPerCell";
     atLeast: boolean;
     bound: number;
     found: number;
@@ -1017,7 +1035,11 @@ export interface ParkingSaved {
  * they are not. No verdict rests on a time. `saved`: of rows P1 to P4 and L1 to L4. `parkade` only, not `parkade/core`,
  * as the next two.
  */
-export function paperVerdicts(tables: { parking?: ParkingTable[]; road?: RoadTable[] }): { parking: PaperClaim[]; road: PaperClaim[]; saved: [ParkingSaved, ParkingSaved] | null };
+export function paperVerdicts(tables: { parking?: ParkingTable[]; road?: RoadTable[] }): {
+  parking: PaperClaim[];
+  road: PaperClaim[];
+  saved: [ParkingSaved, ParkingSaved] | null;
+};
 
 /**
  * The seeds of a row's maps, `from` to `to`, on which the risk field taken literally (`fallback: "none"`) finds no
@@ -1049,7 +1071,12 @@ export interface VolumeComparison {
 }
 
 /** Compares them on "P0", "park-fig13" or "reverse-in", on poses at random (10 000, seed 1, one round). */
-export function paperVolumes(options: { scene: string; poses?: number; seed?: number; rounds?: number }): VolumeComparison;
+export function paperVolumes(options: {
+  scene: string;
+  poses?: number;
+  seed?: number;
+  rounds?: number;
+}): VolumeComparison;
 
 /**
  * Some of a search's expansions in their order, as in a trace: cells, or arcs (x, y, heading, curvature, signed

@@ -59,7 +59,8 @@ export function fromOccupancyGrid(message, options) {
   // A scene's cells lie along its axes.
   if (Math.hypot(x, y, z) > 1e-6 * Math.hypot(x, y, z, w)) {
     throw new ParkadeError(
-      "message.info.origin.orientation: must be without rotation; turn the start and the goal into the map's frame instead",
+      "message.info.origin.orientation: must be without rotation; turn the start and the goal into the map's frame " +
+        "instead",
       "bad-input",
       "message.info.origin.orientation",
     );

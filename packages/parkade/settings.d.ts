@@ -1,6 +1,20 @@
 /** The planners' ids and settings: written by `cargo xtask build` from the planners' registry. */
 
-export type GridPlannerId = "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight" | "sixteen-bidirectional" | "jump-point" | "any-angle" | "risk-field" | "risk-field-plus" | "dijkstra" | "greedy" | "rrt" | "genetic";
+export type GridPlannerId =
+  | "four"
+  | "eight"
+  | "sixteen"
+  | "twenty-four"
+  | "forty-eight"
+  | "sixteen-bidirectional"
+  | "jump-point"
+  | "any-angle"
+  | "risk-field"
+  | "risk-field-plus"
+  | "dijkstra"
+  | "greedy"
+  | "rrt"
+  | "genetic";
 export type HybridPlannerId = "hybrid" | "hybrid-forward" | "hybrid-bidirectional" | "hybrid-classic";
 export type RoadPlannerId = "cost-map";
 
@@ -12,9 +26,15 @@ export interface GridSettings {
   inflation?: "none" | "width" | "half-diagonal";
   /** Added to the safety space. Usual range: 0 to 2 m. Default: 0. */
   margin?: number;
-  /** Closes passages narrower than this many cells; 1 closes none. Start and goal stay connected. Usual range: 1 to 8 cells. Default: 1. */
+  /**
+   * Closes passages narrower than this many cells; 1 closes none. Start and goal stay connected. Usual range: 1 to 8
+   * cells. Default: 1.
+   */
   minPassage?: number;
-  /** Closes dead ends into which no square of this many cells fits; 1 closes none. Usual range: 1 to 16 cells. Default: 1. */
+  /**
+   * Closes dead ends into which no square of this many cells fits; 1 closes none. Usual range: 1 to 16 cells. Default:
+   * 1.
+   */
   trapMouth?: number;
   /** Removes spare cells; rounds corners. */
   post?: "none" | "prune" | "prune-dp" | "smooth";
@@ -56,7 +76,10 @@ export interface SixteenSettings extends GridSettings {
 export interface SixteenBidirectionalSettings extends GridSettings {
   /** Cells reachable in one step. */
   neighbours?: "four" | "eight" | "sixteen" | "twenty-four" | "forty-eight";
-  /** First: where the two meet; best: the best connection until then; nba: the cheapest path; naive: both take up the same cell (the paper), which can fail. Default: "first". */
+  /**
+   * First: where the two meet; best: the best connection until then; nba: the cheapest path; naive: both take up the
+   * same cell (the paper), which can fail. Default: "first".
+   */
   stop?: "first" | "best" | "nba" | "naive";
   /** Strict: a path may not touch a blocked cell. Default: "strict". */
   corner?: "strict" | "no-squeeze" | "free";
@@ -182,7 +205,10 @@ export interface HybridSettings {
 
 /** Settings of "cost-map". */
 export interface RoadSettings {
-  /** Metre: base, lane, kerb and speed costs per metre; paper: base cost once per cell; steps: plain A*. Default: "metre". */
+  /**
+   * Metre: base, lane, kerb and speed costs per metre; paper: base cost once per cell; steps: plain A*. Default:
+   * "metre".
+   */
   costs?: "metre" | "paper" | "steps";
   /** Falls with clearance: K/(d+ε) or A·exp(−B·d). Default: "inverse". */
   base?: "inverse" | "exponential";
@@ -200,7 +226,10 @@ export interface RoadSettings {
   kerbWeight?: number;
   /** Weight of time lost to limits and bends. Usual range: 0 to 3. Default: 0.5. */
   speedWeight?: number;
-  /** Kept free around the car; where no path has that much room, the plan says how much it keeps. Usual range: 0 to 20 m. Default: 0.8. */
+  /**
+   * Kept free around the car; where no path has that much room, the plan says how much it keeps. Usual range: 0 to 20
+   * m. Default: 0.8.
+   */
   margin?: number;
   /** Auto: chords keep most of the clearance; los: line of sight only (the paper). Default: "auto". */
   pruning?: "auto" | "los" | "none";

@@ -14,7 +14,9 @@ const SCENES = 1000,
 const COMMAND = fileURLToPath(new URL("../../pkg/cli/main.js", import.meta.url));
 /** Writes the seconds of all threads of a run to standard error when it ends. */
 const METER =
-  'data:text/javascript,import{isMainThread}from"node:worker_threads";if(isMainThread)process.on("exit",()=>{const{userCPUTime:u,systemCPUTime:s}=process.resourceUsage();console.error(`cpu ${(u+s)/1e6}`)})';
+  'data:text/javascript,import{isMainThread}from"node:worker_threads";' +
+  'if(isMainThread)process.on("exit",()=>{const{userCPUTime:u,systemCPUTime:s}=process.resourceUsage();' +
+  "console.error(`cpu ${(u+s)/1e6}`)})";
 
 await init();
 const folder = mkdtempSync(join(tmpdir(), "parkade-bench-"));
@@ -64,15 +66,18 @@ function measured(size) {
   const [first] = all;
   const seconds = (jobs, what) => median(rounds.map((round) => round[jobs][what])).toFixed(2);
   console.log(
-    `${first.lines} plans of ${SCENES} generated scenes of ${size} × ${size} cells, ${ROUNDS} rounds, medians; all digests ${first.digest.slice(0, 16)}`,
+    `${first.lines} plans of ${SCENES} generated scenes of ${size} × ${size} cells, ${ROUNDS} rounds, medians; all ` +
+      `digests ${first.digest.slice(0, 16)}`,
   );
   console.log(`--jobs 1: ${seconds("one", "wall")} s by the clock, ${seconds("one", "cpu")} s of processors`);
   console.log(`--jobs 2: ${seconds("two", "wall")} s by the clock, ${seconds("two", "cpu")} s of processors`);
   console.log(
-    `speed-up ${median(rounds.map(({ one, two }) => one.wall / two.wall)).toFixed(2)} (goal 1.7; means something with two processors free)`,
+    `speed-up ${median(rounds.map(({ one, two }) => one.wall / two.wall)).toFixed(2)} (goal 1.7; means something ` +
+      `with two processors free)`,
   );
   console.log(
-    `processor time ${median(rounds.map(({ one, two }) => two.cpu / one.cpu)).toFixed(2)} times that of one job (goal 1.1)`,
+    `processor time ${median(rounds.map(({ one, two }) => two.cpu / one.cpu)).toFixed(2)} times that of one job ` +
+      `(goal 1.1)`,
   );
 }
 

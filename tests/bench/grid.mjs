@@ -41,7 +41,9 @@ const rows = [];
 function report(goal, map, what, value, floor, aim, unit, less = false) {
   const meets = (bound) => (less ? value <= bound : value >= bound);
   const verdict = meets(aim) ? "goal" : meets(floor) ? "floor" : "BELOW";
-  const line = `${goal.padEnd(4)} ${map.padEnd(16)} ${what.padEnd(58)} ${value.toPrecision(3).padStart(8)}${unit}  floor ${floor}, goal ${aim}: ${verdict}`;
+  const line = `${goal.padEnd(4)} ${map.padEnd(16)} ${what.padEnd(58)} ${value
+    .toPrecision(3)
+    .padStart(8)}${unit}  floor ${floor}, goal ${aim}: ${verdict}`;
   rows.push({ goal, map, what, value: `${value.toPrecision(3)}${unit}`, floor, aim, verdict });
   console.log(line);
 }
@@ -332,13 +334,17 @@ const body = [...sections]
   .map(([, section]) => section)
   .join("\n\n");
 const verdicts = body.match(/\| (goal|floor|BELOW) \|$/gm);
-const tally = `${verdicts.length} figures, ${verdicts.filter((one) => one.includes("BELOW")).length} below their floor.`;
+const missed = verdicts.filter((one) => one.includes("BELOW")).length,
+  tally = `${verdicts.length} figures, ${missed} below their floor.`;
 const head =
   oldHead?.replace(/\d+ figures, \d+ below their floor\./, tally) ??
   `# Grid planners against others
 
-Written by \`cargo xtask bench grid\` (${count} + ${count} questions a map, ${repeats} repeats) on ${availableParallelism()} × ${cpus()[0].model.trim()},
-Node.js ${process.versions.node}, load ${load1}. CPU times, all rivals interleaved in one run, every answer checked: ratios count, not
-milliseconds. "x" is the other's time over ours; each one's fastest round of several counts, what it takes when nothing disturbs. Peers: npm pathfinding 0.4.18, ngraph.path 1.6.1; crates pathfinding 4.16,
+Written by \`cargo xtask bench grid\` ` +
+    `(${count} + ${count} questions a map, ${repeats} repeats) on ${availableParallelism()} × ${cpus()[0].model.trim()},
+Node.js ${process.versions.node}, load ${load1}. CPU times, all rivals interleaved in one run, every answer ` +
+    `checked: ratios count, not
+milliseconds. "x" is the other's time over ours; each one's fastest round of several counts, what it takes when ` +
+    `nothing disturbs. Peers: npm pathfinding 0.4.18, ngraph.path 1.6.1; crates pathfinding 4.16,
 grid_pathfinding 0.3.0 in wasm. ${tally}`;
 writeFileSync(file, `${head}\n\n${body}\n`);

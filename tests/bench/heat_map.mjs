@@ -67,13 +67,22 @@ export function heatMap({ title, along, up, panels, note }) {
   const high = PANEL_HEAD + up.sizes.length * CELL + FOOT;
   const height = HEAD + panels.length * high + (note ? NOTE : 0);
   const parts = panels.map((panel, i) => panelOf(panel, along, up, HEAD + i * high));
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${height}" width="${WIDTH}" height="${height}" role="img" font-family="system-ui,sans-serif" font-size="13" text-anchor="middle">
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 ` +
+    `0 ${WIDTH} ${height}" width="${WIDTH}" height="${height}" role="img" font-family="system-ui,sans-serif" ` +
+    `font-size="13" text-anchor="middle">
 <title>${title}</title>
 <style>${styleOf("light", panels)}@media(prefers-color-scheme:dark){${styleOf("dark", panels)}}</style>
 <text x="${LEFT}" y="19" class="i" text-anchor="start" font-size="15" font-weight="600">${title}</text>
 ${parts.join("\n")}
-${note ? `<circle cx="${LEFT + 4}" cy="${height - 11}" r="3" class="i"/><text x="${LEFT + 13}" y="${height - 7}" class="i" text-anchor="start">${note}</text>\n` : ""}</svg>
-`;
+${
+  note
+    ? `<circle cx="${LEFT + 4}" cy="${height - 11}" r="3" class="i"/><text ` +
+      `x="${LEFT + 13}" y="${height - 7}" class="i" text-anchor="start">${note}</text>\n`
+    : ""
+}</svg>
+`
+  );
 }
 
 /** @param {"light" | "dark"} scheme @param {Panel[]} panels */
@@ -114,7 +123,9 @@ function panelOf({ title, scale, cells }, along, up, top) {
   const middle = low - (up.sizes.length * CELL) / 2;
   return `<text x="${LEFT}" y="${top + 20}" class="i" text-anchor="start" font-weight="600">${title}</text>
 ${steps.join("")}
-<g class="i">${none.join("")}${ticks.join("")}<text x="${x(along.sizes.length / 2)}" y="${low + 34}">${along.title}</text><text transform="translate(16 ${middle})rotate(-90)">${up.title}</text></g>`;
+<g class="i">${none.join("")}${ticks.join("")}<text x="${x(
+    along.sizes.length / 2,
+  )}" y="${low + 34}">${along.title}</text><text transform="translate(16 ${middle})rotate(-90)">${up.title}</text></g>`;
 }
 
 const round = (/** @type {number} */ value) => Math.round(value * 10) / 10;

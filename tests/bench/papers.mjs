@@ -52,13 +52,26 @@ const text = languages.flatMap(([lang, all]) =>
 );
 writeFileSync(join(out, "papers.md"), text.join("\n"));
 const style =
-  "body{font:14px/21px system-ui,'PingFang SC','Microsoft YaHei','Noto Sans SC',sans-serif;max-width:980px;margin:24px auto;padding:0 16px;color:#1b1d20}table{border-collapse:collapse;font-size:12px;margin:8px 0 16px;font-variant-numeric:tabular-nums}th,td{border-top:1px solid #e3e3df;padding:4px 8px;text-align:left;vertical-align:top}figure{margin:16px 0}figcaption{color:#565b62;font-size:12.5px}svg{max-width:100%;height:auto}h1{margin-top:48px}";
+  "body{font:14px/21px system-ui,'PingFang SC','Microsoft YaHei','Noto Sans " +
+  "SC',sans-serif;max-width:980px;margin:24px auto;padding:0 " +
+  "16px;color:#1b1d20}table{border-collapse:collapse;font-size:12px;margin:8px 0 " +
+  "16px;font-variant-numeric:tabular-nums}th,td{border-top:1px solid #e3e3df;padding:4px " +
+  "8px;text-align:left;vertical-align:top}figure{margin:16px " +
+  "0}figcaption{color:#565b62;font-size:12.5px}svg{max-width:100%;height:auto}h1{margin-top:48px}";
 const bodies = languages.map(
   ([lang, all]) =>
-    `<div lang="${lang}">${all.map(({ blocks }) => `<section>${html(blocks, (/** @type {any} */ figure) => svgOf(lang, figure).svg, `${lang}-`)}</section>`).join("\n")}</div>`,
+    `<div lang="${lang}">${all
+      .map(
+        ({ blocks }) =>
+          `<section>${html(blocks, (/** @type {any} */ figure) => svgOf(lang, figure).svg, `${lang}-`)}</section>`,
+      )
+      .join("\n")}</div>`,
 );
 writeFileSync(
   join(out, "papers.html"),
-  `<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>${escaped("The papers, measured again")}</title><style>${style}</style></head><body>${bodies.join("\n")}</body></html>`,
+  `<!doctype html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" ` +
+    `content="width=device-width"><title>${escaped(
+      "The papers, measured again",
+    )}</title><style>${style}</style></head><body>${bodies.join("\n")}</body></html>`,
 );
 console.log(`${join(out, "papers.md")}\n${join(out, "papers.html")}\n${drawn.size} figures`);

@@ -62,13 +62,20 @@ function say(text) {
   lines.push(text);
 }
 
-say(`| scene | check | length, m (best known) | bound, m | gear changes (best known) | at ${near.margin} m: m, changes | clearance, m | margin, m | level | expanded | native: query, ms (best known) | whole plan, ms | WebAssembly, ms |
-| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |`);
+say(
+  `| scene | check | length, m (best known) | bound, m | gear changes (best known) | ` +
+    `at ${near.margin} m: m, changes | clearance, m | margin, m | level | expanded | native: query, ms (best known) ` +
+    `| whole plan, ms | WebAssembly, ms |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |`,
+);
 for (const row of rows) {
   const { name, verdict, length, bound, changes, clearance, margin, level, expanded, query, whole, wasm, best } = row;
   const nearly = row.near ? `${row.near.length.toFixed(2)}, ${row.near.changes}` : "–";
   say(
-    `| ${name} | ${verdict} | ${length.toFixed(2)}${known(best?.length)} | ${bound.toFixed(2)} | ${changes}${known(best?.changes)} | ${nearly} | ${clearance.toFixed(3)} | ${margin} | ${level} | ${expanded} | ${ms(query)}${known(best?.milliseconds)} | ${ms(whole)} | ${ms(wasm)} |`,
+    `| ${name} | ${verdict} | ${length.toFixed(2)}${known(best?.length)} | ${bound.toFixed(2)} | ` +
+      `${changes}${known(best?.changes)} | ${nearly} | ` +
+      `${clearance.toFixed(3)} | ${margin} | ${level} | ${expanded} | ${ms(query)}` +
+      `${known(best?.milliseconds)} | ${ms(whole)} | ${ms(wasm)} |`,
   );
 }
 
@@ -78,7 +85,9 @@ function goal(what, values, floors, aims, unit, digits = 2) {
   const text = (list) =>
     list.map((value) => `${Number.isInteger(value) ? value : value.toFixed(digits)}${unit}`).join(" / ");
   say(
-    `| ${what} | ${text(values)} | ${text(floors)} | ${text(aims)} | ${within(aims) ? "aim" : within(floors) ? "floor" : "BELOW"} |`,
+    `| ${what} | ${text(values)} | ${text(floors)} | ${text(aims)} | ${
+      within(aims) ? "aim" : within(floors) ? "floor" : "BELOW"
+    } |`,
   );
 }
 
@@ -159,14 +168,20 @@ say(`\n${readFileSync(hopeless, "utf8").trim()}`);
 
 if (cases.length === 0) {
   console.log(
-    "\nskipped: no TPCAP cases in PARKADE_DATA (tpcap/Case1.csv of libai1943/TPCAP_benchmarks); the built-in scenes alone are not written down",
+    "\nskipped: no TPCAP cases in PARKADE_DATA (tpcap/Case1.csv of libai1943/TPCAP_benchmarks); the built-in scenes " +
+      "alone are not written down",
   );
 } else {
-  const head = `# Parking
+  const head =
+    `# Parking
 
-Written by \`cargo xtask bench parking\` on ${availableParallelism()} × ${cpus()[0].model.trim()}, Node.js ${process.versions.node}, load ${loadavg()[1].toFixed(1)}. Default settings;
-CPU times, native and WebAssembly in turns, the least of ${TURNS}. "Query" is search, shortcut and verification with nothing known from a query
-before; "whole plan" is a repeated one with check and figures. Every path is checked with the exact body every 2 cm and has the same hash on
+Written by \`cargo xtask bench parking\` ` +
+    `on ${availableParallelism()} × ${cpus()[0].model.trim()}, Node.js ${process.versions.node}, ` +
+    `load ${loadavg()[1].toFixed(1)}. Default settings;
+CPU times, native and WebAssembly in turns, the least of ${TURNS}. "Query" is search, shortcut and verification ` +
+    `with nothing known from a query
+before; "whole plan" is a repeated one with check and figures. Every path is checked with the exact body every 2 cm ` +
+    `and has the same hash on
 both sides. Best known: of six public planners, each case by whichever did best.`;
   writeFileSync(new URL("../../benches/PARKING.md", import.meta.url), `${head}\n\n${lines.join("\n")}\n`);
 }

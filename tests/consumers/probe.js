@@ -59,7 +59,9 @@ async function look() {
     themes: [],
   };
   for (const selector of (asked.get("switch") ?? "").split("|").filter(Boolean)) {
-    const button = await until(selector, () => [...document.querySelectorAll(selector)].find((one) => one.offsetParent));
+    const button = await until(selector, () =>
+      [...document.querySelectorAll(selector)].find((one) => one.offsetParent),
+    );
     if (button instanceof HTMLSelectElement) {
       button.selectedIndex = (button.selectedIndex + 1) % button.options.length;
       button.dispatchEvent(new Event("change", { bubbles: true }));
@@ -90,9 +92,15 @@ async function own(report, before) {
   return { ...report, own: [element.sceneData.name, ...outcomes] };
 }
 
-const post = (report) => fetch("/__report", { method: "POST", body: JSON.stringify({ of: asked.get("of"), ...report }) });
+const post = (report) =>
+  fetch("/__report", { method: "POST", body: JSON.stringify({ of: asked.get("of"), ...report }) });
 if (parent !== window)
-  (parent.carried ? own(parent.carried) : asked.has("direct") ? own({}) : look().then((report) => (asked.has("follow") ? follow(report) : report))).then(
+  (parent.carried
+  ? own(parent.carried)
+  : asked.has("direct")
+    ? own({})
+    : look().then((report) => (asked.has("follow") ? follow(report) : report))
+).then(
     post,
     (error) => post({ error: String(error) }),
   );

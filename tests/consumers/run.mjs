@@ -87,11 +87,13 @@ const next = (folder, version) => ({
         await init();
         return <><p id="server">{new Planner("hybrid", scenario("perpendicular")).plan().hash}</p><Client /></>;
       }`,
-    "app/client.js": `"use client";
+    "app/client.js":
+      `"use client";
       import { useEffect } from "react";
       export default function Client() {
         useEffect(() => {
-          Promise.all([import("parkade/inline"), import("parkade/worker")]).then(async ([{ init, Planner, scenario }, { createPlanner }]) => {
+          Promise.all([import("parkade/inline"), import("parkade/worker")]).then(async ([{ init, Planner, scenario ` +
+      `}, { createPlanner }]) => {
             await init();
             const hash = new Planner("hybrid", scenario("perpendicular")).plan().hash;
             const inWorker = (await (await createPlanner("hybrid", scenario("perpendicular"))).plan()).hash;
@@ -307,7 +309,9 @@ for (let i = 0; i < rows.length; i += 2) {
   );
   if (got !== HASH) process.exitCode = 1;
   console.log(
-    `${name} | ${version} | ${got === HASH ? (row.folder === "types" ? "compiles" : "plans, same hash") : `FAILS: ${got}`}`,
+    `${name} | ${version} | ${
+      got === HASH ? (row.folder === "types" ? "compiles" : "plans, same hash") : `FAILS: ${got}`
+    }`,
   );
 }
 await browser.close();

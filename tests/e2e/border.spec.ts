@@ -249,7 +249,8 @@ test.describe("with a mouse", () => {
     for (const [typed, told] of [
       [
         "20",
-        "Width must be between 35.00 and 2048.00 m, got “20”. The ground ends at the rectangle. Move or delete what stands there.",
+        "Width must be between 35.00 and 2048.00 m, got “20”. The ground ends at the rectangle. Move or delete what " +
+          "stands there.",
       ],
       [
         "9000",

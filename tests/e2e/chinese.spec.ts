@@ -110,7 +110,7 @@ test("the Chinese page is Chinese: every scene, with its failures and waits", as
   }
 });
 
-test("the Chinese page is Chinese: layers, cars' labels, the menu under the pointer, the ground and more planners", async ({
+test("the Chinese page is Chinese: layers, cars' labels, the menu under the pointer, the ground, planners", async ({
   page,
 }) => {
   test.setTimeout(120_000);

@@ -64,60 +64,62 @@ const watch = (element: PlaygroundElement): void => {
 const seen = (page: Page): Promise<[number, number, string | null, boolean][]> =>
   page.evaluate(() => (window as Untyped).seen.map((text: string) => JSON.parse(text)));
 
-test("the first answer is drawn at once, cheaper ones replace it while a line runs, and a drag goes on from what is shown", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 1400, height: 900 });
-  const complaints = complaintsOf(page);
-  await open(page);
-  const playground = page.locator("parkade-playground"),
-    choices = page.locator("parkade-panel[data-planner=hybrid] parkade-choices");
-  await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
-  await playground.evaluate(watch);
-  // The line may be gone before anybody looks.
-  await choices.evaluate((element) => {
-    const lines: string[] = ((window as Untyped).lines = []);
-    new MutationObserver(() => {
-      if (element.hasAttribute("searching")) lines.push(getComputedStyle(element, "::before").height);
-    }).observe(element, { attributes: true });
-  });
-  await playground.evaluate((element: PlaygroundElement) => {
-    element.scene = "perp-nose-3.6";
-  });
-  await settled(page);
-  await expect.poll(() => page.evaluate(() => (window as Untyped).lines[0]), { timeout: 20_000 }).toBe("2px");
-  await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
-  await expect(choices).not.toHaveAttribute("searching");
-  // Those of the scene before cost 18.
-  const steps = (await seen(page)).filter(([cost]) => cost > 20),
-    costs = steps.map(([cost]) => cost);
-  expect(costs).toEqual([...costs].sort((a, b) => b - a));
-  expect(costs.at(-1)).toBeLessThan(costs[0]!);
-  expect(steps.some(([, , improving]) => improving === "hybrid")).toBe(true);
-  // As the package says it, whose first answer costs 24.5 and the better one 23.5.
-  expect(costs[0]).toBeGreaterThan(24);
-  expect(costs.at(-1)).toBeLessThan(24);
-  expect(steps.at(-1)!.slice(1)).toEqual([1, null, false]);
-  for (const title of await page.locator(chips).evaluateAll((all) => all.map((one) => (one as HTMLElement).title)))
-    expect(title).toMatch(/shortest|No path can be shorter than 17\.3 m/);
-  // A drag's first step keeps the path that is shown, not the planner's first answer.
-  await playground.evaluate((element: PlaygroundElement) => {
-    const store = element.store as Untyped,
-      { scene } = store.state;
-    store.edit({ ...scene, start: { ...scene.start, x: scene.start.x + 0.02 } }, { transient: true });
-  });
-  await expect(page.locator(chips)).toHaveCount(0);
-  await expect
-    .poll(
-      async () =>
-        await playground.evaluate(
-          (element: PlaygroundElement) => (element.store as Untyped).state.results.hybrid.status,
-        ),
-    )
-    .toBe("done");
-  expect((await playground.evaluate(shown))[0]).toBeLessThan(23);
-  expect(complaints).toEqual([]);
-});
+test(
+  "the first answer is drawn at once, cheaper ones replace it while a line runs, and a drag goes on from what is " +
+    "shown",
+  async ({ page }) => {
+    await page.setViewportSize({ width: 1400, height: 900 });
+    const complaints = complaintsOf(page);
+    await open(page);
+    const playground = page.locator("parkade-playground"),
+      choices = page.locator("parkade-panel[data-planner=hybrid] parkade-choices");
+    await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
+    await playground.evaluate(watch);
+    // The line may be gone before anybody looks.
+    await choices.evaluate((element) => {
+      const lines: string[] = ((window as Untyped).lines = []);
+      new MutationObserver(() => {
+        if (element.hasAttribute("searching")) lines.push(getComputedStyle(element, "::before").height);
+      }).observe(element, { attributes: true });
+    });
+    await playground.evaluate((element: PlaygroundElement) => {
+      element.scene = "perp-nose-3.6";
+    });
+    await settled(page);
+    await expect.poll(() => page.evaluate(() => (window as Untyped).lines[0]), { timeout: 20_000 }).toBe("2px");
+    await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
+    await expect(choices).not.toHaveAttribute("searching");
+    // Those of the scene before cost 18.
+    const steps = (await seen(page)).filter(([cost]) => cost > 20),
+      costs = steps.map(([cost]) => cost);
+    expect(costs).toEqual([...costs].sort((a, b) => b - a));
+    expect(costs.at(-1)).toBeLessThan(costs[0]!);
+    expect(steps.some(([, , improving]) => improving === "hybrid")).toBe(true);
+    // As the package says it, whose first answer costs 24.5 and the better one 23.5.
+    expect(costs[0]).toBeGreaterThan(24);
+    expect(costs.at(-1)).toBeLessThan(24);
+    expect(steps.at(-1)!.slice(1)).toEqual([1, null, false]);
+    for (const title of await page.locator(chips).evaluateAll((all) => all.map((one) => (one as HTMLElement).title)))
+      expect(title).toMatch(/shortest|No path can be shorter than 17\.3 m/);
+    // A drag's first step keeps the path that is shown, not the planner's first answer.
+    await playground.evaluate((element: PlaygroundElement) => {
+      const store = element.store as Untyped,
+        { scene } = store.state;
+      store.edit({ ...scene, start: { ...scene.start, x: scene.start.x + 0.02 } }, { transient: true });
+    });
+    await expect(page.locator(chips)).toHaveCount(0);
+    await expect
+      .poll(
+        async () =>
+          await playground.evaluate(
+            (element: PlaygroundElement) => (element.store as Untyped).state.results.hybrid.status,
+          ),
+      )
+      .toBe("done");
+    expect((await playground.evaluate(shown))[0]).toBeLessThan(23);
+    expect(complaints).toEqual([]);
+  },
+);
 
 test("a path that cannot be shorter is said to be proven, and nothing runs for it", async ({ page }) => {
   await page.setViewportSize({ width: 1400, height: 900 });

@@ -313,7 +313,7 @@ test("the drive plays and rests by its key, and what the car sweeps is drawn", a
   expect(await fraction()).toBe(rest);
 });
 
-test("a newcomer draws a wall and a row of slots, parks in the third, and learns why the eight-neighbour path fails", async ({
+test("a newcomer draws a wall and slots, parks in the third, and learns why the eight-neighbour path fails", async ({
   page,
 }) => {
   const lot: Partial<Scenario> = { start: { x: 8, y: 20, heading: 0 }, goal: { x: 30, y: 20, heading: 0 } };
@@ -353,9 +353,7 @@ test("a newcomer draws a wall and a row of slots, parks in the third, and learns
   await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("#s=1");
 });
 
-test("a menu closes at Escape, a second press and a press elsewhere; by keys the focus goes back to its button", async ({
-  page,
-}) => {
+test("a menu closes at Escape, a second press and a press elsewhere; by keys the focus goes back", async ({ page }) => {
   await open(page);
   const bar = page.locator("parkade-toolbar"),
     layers = bar.getByRole("button", { name: "Layers", exact: true }),

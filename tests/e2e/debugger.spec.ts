@@ -94,32 +94,34 @@ test("a run stops where a node is improved, and a planner of cars shows its conn
   expect(await violations(page)).toEqual([]);
 });
 
-test("a car's search from both ends is walked with both open lists, and a run stops at a pose near a point of the map", async ({
-  page,
-}) => {
-  await openDebugger(page, "hybrid-bidirectional");
-  const panel = page.locator("parkade-debugger"),
-    event = panel.locator(".event");
-  await panel.getByRole("button", { name: "Step", exact: true }).click();
-  await expect(event).toContainText(/From the (start|goal) · Expand \(.+°\): f [\d.]+ = g 0\.00 \+ h/);
-  await expect(panel.getByRole("heading", { name: "From the goal" })).toBeVisible();
-  await panel.getByRole("button", { name: "First step" }).click();
-  await panel.getByRole("button", { name: "at a pose" }).click();
-  // The start stands there.
-  const place = await page.evaluate(() => {
-    const { store } = document.querySelector<PlaygroundElement>("parkade-playground")!;
-    return store.state.scene.start as { x: number; y: number };
-  });
-  await page.evaluate(
-    (hover) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ hover }),
-    place,
-  );
-  await page.locator("parkade-stage").dispatchEvent("pointerdown");
-  await expect(panel.getByRole("button", { name: "Remove the breakpoint" })).toBeVisible();
-  await panel.getByRole("button", { name: "Run" }).click();
-  await expect(event).toContainText("Stopped at a breakpoint.");
-  expect(await violations(page)).toEqual([]);
-});
+test(
+  "a car's search from both ends is walked with both open lists, and a run stops at a pose near a point of the " +
+    "map",
+  async ({ page }) => {
+    await openDebugger(page, "hybrid-bidirectional");
+    const panel = page.locator("parkade-debugger"),
+      event = panel.locator(".event");
+    await panel.getByRole("button", { name: "Step", exact: true }).click();
+    await expect(event).toContainText(/From the (start|goal) · Expand \(.+°\): f [\d.]+ = g 0\.00 \+ h/);
+    await expect(panel.getByRole("heading", { name: "From the goal" })).toBeVisible();
+    await panel.getByRole("button", { name: "First step" }).click();
+    await panel.getByRole("button", { name: "at a pose" }).click();
+    // The start stands there.
+    const place = await page.evaluate(() => {
+      const { store } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+      return store.state.scene.start as { x: number; y: number };
+    });
+    await page.evaluate(
+      (hover) => document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ hover }),
+      place,
+    );
+    await page.locator("parkade-stage").dispatchEvent("pointerdown");
+    await expect(panel.getByRole("button", { name: "Remove the breakpoint" })).toBeVisible();
+    await panel.getByRole("button", { name: "Run" }).click();
+    await expect(event).toContainText("Stopped at a breakpoint.");
+    expect(await violations(page)).toEqual([]);
+  },
+);
 
 test("the search is saved as a GIF", async ({ page }) => {
   await open(page);

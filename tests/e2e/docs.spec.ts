@@ -24,7 +24,7 @@ const pages = () =>
     .map((file) => file.replaceAll("\\", "/"))
     .filter((file) => file.endsWith(".html") && file !== "404.html");
 
-test("every internal link leads to a page, every fragment to a heading, and every scene's name to a scene", async () => {
+test("every internal link leads to a page, every fragment to a heading, every scene's name to a scene", async () => {
   await init();
   const scenes = new Set<string>();
   const all = new Set(pages()),

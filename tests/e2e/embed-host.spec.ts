@@ -224,7 +224,9 @@ for (const holder of ["script", "template", "pre"] as const) {
       };
       const type = tag === "script" ? ' type="application/json"' : "";
       const host = document.createElement("div");
-      host.innerHTML = `<parkade-playground loading="eager" controls="none" layout="single"><${tag}${type} slot="scene" hidden>${JSON.stringify(scene)}</${tag}></parkade-playground>`;
+      host.innerHTML =
+        `<parkade-playground loading="eager" controls="none" ` +
+        `layout="single"><${tag}${type} slot="scene" hidden>${JSON.stringify(scene)}</${tag}></parkade-playground>`;
       document.body.prepend(host);
       const element = host.firstElementChild as Embed;
       await element.ready;

@@ -50,7 +50,7 @@ test("the poster's and the progress bar's parts and slots are there until the pl
   await expect(page.getByText("Mine")).toBeVisible();
 });
 
-test("panels follow the map under the poster, where no press can miss them, and those without room are not built", async ({
+test("panels follow the map under the poster, where no press misses them; those without room are not built", async ({
   page,
 }) => {
   const shifts = await watchShifts(page);

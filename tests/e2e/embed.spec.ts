@@ -7,36 +7,42 @@ import { complaintsOf } from "./playground";
 
 const wasm = (urls: string[]) => urls.filter((url) => url.endsWith(".wasm"));
 
-test("nothing but the loader is fetched before a playground is near; then it moves nothing, and the second costs no byte", async ({
-  page,
-}) => {
-  const complaints = complaintsOf(page);
-  const { urls, shifted } = await watch(page);
-  await page.goto(HOST);
-  await page.waitForLoadState("networkidle");
-  expect(urls.filter((url) => url.includes("/sub/path/"))).toEqual([expect.stringMatching(/parkade-playground\.js$/)]);
+test(
+  "nothing but the loader is fetched before a playground is near; then it moves nothing, and the second costs no " +
+    "byte",
+  async ({ page }) => {
+    const complaints = complaintsOf(page);
+    const { urls, shifted } = await watch(page);
+    await page.goto(HOST);
+    await page.waitForLoadState("networkidle");
+    expect(urls.filter((url) => url.includes("/sub/path/"))).toEqual([
+      expect.stringMatching(/parkade-playground\.js$/),
+    ]);
 
-  await near(page, "one");
-  await expect(page.locator("#one").locator("canvas")).toHaveCount(1);
-  await expect(page.locator("#one").locator(".poster")).toHaveCount(0);
-  expect(await shifted()).toBeLessThan(UNSEEN);
+    await near(page, "one");
+    await expect(page.locator("#one").locator("canvas")).toHaveCount(1);
+    await expect(page.locator("#one").locator(".poster")).toHaveCount(0);
+    expect(await shifted()).toBeLessThan(UNSEEN);
 
-  await quiet(urls);
-  // Who only looks needs the small module alone.
-  expect(wasm(urls)).toHaveLength(1);
-  const before = urls.length;
-  await near(page, "two");
-  await quiet(urls);
-  // A worker's script comes from the cache; nothing is new.
-  expect(urls.slice(before).filter((url) => !urls.slice(0, before).includes(url))).toEqual([]);
-  const answers = () =>
-    page.evaluate(() => Object.values((document.getElementById("two") as Embed).results).map((plan) => plan?.outcome));
-  await expect.poll(answers).toEqual(["found", "found"]);
-  expect(await shifted()).toBeLessThan(UNSEEN);
-  await page.evaluate(() => (document.getElementById("two") as unknown as { play(): Promise<void> }).play());
-  await expect.poll(() => wasm(urls).length).toBe(2);
-  expect(complaints).toEqual([]);
-});
+    await quiet(urls);
+    // Who only looks needs the small module alone.
+    expect(wasm(urls)).toHaveLength(1);
+    const before = urls.length;
+    await near(page, "two");
+    await quiet(urls);
+    // A worker's script comes from the cache; nothing is new.
+    expect(urls.slice(before).filter((url) => !urls.slice(0, before).includes(url))).toEqual([]);
+    const answers = () =>
+      page.evaluate(() =>
+        Object.values((document.getElementById("two") as Embed).results).map((plan) => plan?.outcome),
+      );
+    await expect.poll(answers).toEqual(["found", "found"]);
+    expect(await shifted()).toBeLessThan(UNSEEN);
+    await page.evaluate(() => (document.getElementById("two") as unknown as { play(): Promise<void> }).play());
+    await expect.poll(() => wasm(urls).length).toBe(2);
+    expect(complaints).toEqual([]);
+  },
+);
 
 test("a playground shows its first plans once, and the next one begins on the module that is there", async ({
   page,
@@ -154,29 +160,33 @@ test("playgrounds share the workers of one pool, and keep none of the first pict
   expect(page.workers().length).toBeLessThanOrEqual(most);
 });
 
-test("what waits for a press fetches nothing until it is pressed, also by the keyboard, and then speaks its own language and colours", async ({
-  page,
-}) => {
-  const { urls, shifted } = await watch(page);
-  await page.goto(HOST);
-  await page.evaluate(() => document.getElementById("three")!.scrollIntoView({ block: "center" }));
-  await page.waitForTimeout(300);
-  expect(urls.filter((url) => url.includes("/sub/path/"))).toEqual([expect.stringMatching(/parkade-playground\.js$/)]);
-  const poster = page.locator("#three").getByRole("button", { name: "A scene of its own" });
-  await poster.focus();
-  await page.keyboard.press("Enter");
-  await page.evaluate(() => (document.getElementById("three") as Embed).ready);
-  const scene = await page.evaluate(() => (document.getElementById("three") as Embed).sceneData);
-  expect([scene.name, scene.goal]).toEqual(["Own", { x: 15, y: 7, heading: 0 }]);
-  await expect(page.locator("#three").getByRole("button", { name: "撤销" }).first()).toBeAttached();
-  expect(
-    await page
-      .locator("#three")
-      .locator("parkade-embedded")
-      .evaluate((element) => getComputedStyle(element).colorScheme),
-  ).toBe("dark");
-  expect(await shifted()).toBeLessThan(UNSEEN);
-});
+test(
+  "what waits for a press fetches nothing until it is pressed, also by the keyboard, and then speaks its own " +
+    "language and colours",
+  async ({ page }) => {
+    const { urls, shifted } = await watch(page);
+    await page.goto(HOST);
+    await page.evaluate(() => document.getElementById("three")!.scrollIntoView({ block: "center" }));
+    await page.waitForTimeout(300);
+    expect(urls.filter((url) => url.includes("/sub/path/"))).toEqual([
+      expect.stringMatching(/parkade-playground\.js$/),
+    ]);
+    const poster = page.locator("#three").getByRole("button", { name: "A scene of its own" });
+    await poster.focus();
+    await page.keyboard.press("Enter");
+    await page.evaluate(() => (document.getElementById("three") as Embed).ready);
+    const scene = await page.evaluate(() => (document.getElementById("three") as Embed).sceneData);
+    expect([scene.name, scene.goal]).toEqual(["Own", { x: 15, y: 7, heading: 0 }]);
+    await expect(page.locator("#three").getByRole("button", { name: "撤销" }).first()).toBeAttached();
+    expect(
+      await page
+        .locator("#three")
+        .locator("parkade-embedded")
+        .evaluate((element) => getComputedStyle(element).colorScheme),
+    ).toBe("dark");
+    expect(await shifted()).toBeLessThan(UNSEEN);
+  },
+);
 
 test("the page's colours, parts and slots reach into the playground", async ({ page }) => {
   await watch(page);
@@ -291,37 +301,41 @@ test.describe("in a frame of another origin", () => {
     ask(name: string, rest?: object): Promise<{ result?: unknown; error?: string }>;
   }
 
-  test("the same methods and events pass as messages, the frame tells its height, nothing moves, strangers are not heard", async ({
-    page,
-  }) => {
-    const { shifted } = await watch(page);
-    await page.goto("/host/frame.html");
-    const heard = () => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type));
-    await expect.poll(heard, { timeout: 30_000 }).toContain("parkade:plan-complete");
-    await expect
-      .poll(heard)
-      .toEqual(expect.arrayContaining(["parkade:height", "parkade:progress", "parkade:ready", "parkade:plan-result"]));
-    expect(await page.locator("iframe").getAttribute("height")).toBe("420");
-    const inside = await page
-      .frames()[1]!
-      .evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0));
-    expect(Math.max(await shifted(), inside)).toBeLessThan(UNSEEN);
-    const talked = await page.evaluate(async () => {
-      const { ask } = window as unknown as Host;
-      const scene = (await ask("getScene")).result as Scenario;
-      const set = await ask("setScene", { args: [{ ...scene, name: "From outside" }] });
-      const after = (await ask("getScene")).result as Scenario;
-      return {
-        set,
-        name: after.name,
-        svg: String((await ask("toSVG")).result).slice(0, 4),
-        bad: (await ask("setScene", { args: [{}] })).error,
-        unknown: (await ask("constructor")).error,
-      };
-    });
-    expect(talked).toMatchObject({ name: "From outside", svg: "<svg", unknown: "there is no parkade:constructor" });
-    expect(talked.bad).toContain("version");
-  });
+  test(
+    "the same methods and events pass as messages, the frame tells its height, nothing moves, strangers are not " +
+      "heard",
+    async ({ page }) => {
+      const { shifted } = await watch(page);
+      await page.goto("/host/frame.html");
+      const heard = () => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type));
+      await expect.poll(heard, { timeout: 30_000 }).toContain("parkade:plan-complete");
+      await expect
+        .poll(heard)
+        .toEqual(
+          expect.arrayContaining(["parkade:height", "parkade:progress", "parkade:ready", "parkade:plan-result"]),
+        );
+      expect(await page.locator("iframe").getAttribute("height")).toBe("420");
+      const inside = await page
+        .frames()[1]!
+        .evaluate(() => (window as unknown as { shifts: number[] }).shifts.reduce((a, b) => a + b, 0));
+      expect(Math.max(await shifted(), inside)).toBeLessThan(UNSEEN);
+      const talked = await page.evaluate(async () => {
+        const { ask } = window as unknown as Host;
+        const scene = (await ask("getScene")).result as Scenario;
+        const set = await ask("setScene", { args: [{ ...scene, name: "From outside" }] });
+        const after = (await ask("getScene")).result as Scenario;
+        return {
+          set,
+          name: after.name,
+          svg: String((await ask("toSVG")).result).slice(0, 4),
+          bad: (await ask("setScene", { args: [{}] })).error,
+          unknown: (await ask("constructor")).error,
+        };
+      });
+      expect(talked).toMatchObject({ name: "From outside", svg: "<svg", unknown: "there is no parkade:constructor" });
+      expect(talked.bad).toContain("version");
+    },
+  );
 
   test("with an allow-list of others this page hears nothing", async ({ page }) => {
     await page.goto(

@@ -45,18 +45,20 @@ for (const [name, address] of [
   ["the page", "./"],
   ["a frame", `/host/frame.html?hash=${encodeURIComponent("layout=grid&controls=full&editable")}`],
 ] as const) {
-  test(`120 random clicks, keys and touches on ${name}: nothing is said on the console, no text reads NaN, and it plans afterwards`, async ({
-    page,
-  }) => {
-    await page.goto(address);
-    await page.waitForTimeout(1500);
-    const found = await monkey(page, random(SEED), {
-      frame: () => page.frames().at(-1),
-      enough: (actions: number) => actions >= 120,
-    });
-    expect(found.complaints).toEqual([]);
-    expect(found.usable).toBe(true);
-  });
+  test(
+    `120 random clicks, keys and touches on ${name}: nothing is said on the console, no text reads NaN, and it ` +
+      `plans afterwards`,
+    async ({ page }) => {
+      await page.goto(address);
+      await page.waitForTimeout(1500);
+      const found = await monkey(page, random(SEED), {
+        frame: () => page.frames().at(-1),
+        enough: (actions: number) => actions >= 120,
+      });
+      expect(found.complaints).toEqual([]);
+      expect(found.usable).toBe(true);
+    },
+  );
 }
 
 test.describe("on a phone", () => {

@@ -102,25 +102,27 @@ for (const mode of ["overlay", "focus"] as const) {
   });
 }
 
-test("on a phone it stands on the map's lower edge, above the chips, and nothing moves when another planner is chosen", async ({
-  page,
-}) => {
-  await page.setViewportSize({ width: 390, height: 844 });
-  await open(page);
-  const [planner] = await failing(page),
-    map = page.locator("parkade-stage canvas"),
-    line = page.locator(".layout-narrow > parkade-failure");
-  const before = await map.boundingBox();
-  await set(page, { focus: planner });
-  await expectWhole(line);
-  expect(await map.boundingBox()).toEqual(before);
-  const at = (await line.boundingBox())!,
-    chips = (await page.locator("parkade-chips button[aria-pressed]").first().boundingBox())!;
-  expect(at.y).toBeGreaterThanOrEqual(before!.y + before!.height - 41);
-  expect(at.y + at.height).toBeLessThanOrEqual(chips.y);
-  await line.getByRole("button").click();
-  await expect.poll(() => camera(page)).not.toBeNull();
-});
+test(
+  "on a phone it stands on the map's lower edge, above the chips, and nothing moves when another planner is " +
+    "chosen",
+  async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    await open(page);
+    const [planner] = await failing(page),
+      map = page.locator("parkade-stage canvas"),
+      line = page.locator(".layout-narrow > parkade-failure");
+    const before = await map.boundingBox();
+    await set(page, { focus: planner });
+    await expectWhole(line);
+    expect(await map.boundingBox()).toEqual(before);
+    const at = (await line.boundingBox())!,
+      chips = (await page.locator("parkade-chips button[aria-pressed]").first().boundingBox())!;
+    expect(at.y).toBeGreaterThanOrEqual(before!.y + before!.height - 41);
+    expect(at.y + at.height).toBeLessThanOrEqual(chips.y);
+    await line.getByRole("button").click();
+    await expect.poll(() => camera(page)).not.toBeNull();
+  },
+);
 
 test("the live region says why, in the page's language", async ({ page }) => {
   await open(page);

@@ -161,8 +161,11 @@ test("a trap inside a planner is said, and a new worker answers; the scene stays
         ? `
       const real = WebAssembly.instantiate;
       WebAssembly.instantiate = async (module, imports) => {
-        const { exports } = await real(module, imports), trap = () => { throw new WebAssembly.RuntimeError("unreachable"); };
-        return { module, instance: { exports: { ...exports, ...Object.fromEntries(Object.keys(exports).filter((name) => /plan$/.test(name)).map((name) => [name, trap])) } } };
+        const { exports } = await real(module, imports), trap = () => { throw new ` +
+          `WebAssembly.RuntimeError("unreachable"); };
+        return { module, instance: { exports: { ...exports, ` +
+          `...Object.fromEntries(Object.keys(exports).filter((name) => /plan$/.test(name)).map((name) => [name, ` +
+          `trap])) } } };
       };`
         : "";
     await route.fulfill({ response, body: trap + text });

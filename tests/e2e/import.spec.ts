@@ -70,7 +70,8 @@ test("a ROS map and a parking case open by dropping them", async ({ page }) => {
       "floor.yaml",
       [
         ...Buffer.from(
-          "image: floor.pgm\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
+          "image: floor.pgm\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: " +
+            "0.65\nfree_thresh: 0.196\n",
         ),
       ],
     ],
@@ -94,7 +95,8 @@ test("a ROS map and a parking case open by dropping them", async ({ page }) => {
     }, clear);
   const yaml = [
     ...Buffer.from(
-      "image: yard.png\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
+      "image: yard.png\nresolution: 0.5\norigin: [-10.0, -5.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: " +
+        "0.196\n",
     ),
   ];
   await drop([

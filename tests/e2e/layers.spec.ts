@@ -81,7 +81,7 @@ test("the shortest way at any angle is measured beside a grid planner's path", a
   expect(complaints).toEqual([]);
 });
 
-test("what becomes of a grid planner's path, and the risk field's potential, are drawn in the search tree's layer", async ({
+test("what becomes of a grid path, and the risk field's potential, are drawn in the search tree's layer", async ({
   page,
 }) => {
   const complaints = complaintsOf(page);

@@ -70,7 +70,8 @@ test("a frame brings at most one notification while a wall is drawn before four 
   const short = frames.filter(({ time }) => time < 90),
     sum = (key: "told" | "answers"): number => short.reduce((all, frame) => all + frame[key], 0);
   console.log(
-    `${short.length} of ${frames.length} frames: ${sum("told")} notifications, at most ${Math.max(...short.map(({ told }) => told))} in one; ${sum("answers")} answers`,
+    `${short.length} of ${frames.length} frames: ${sum("told")} notifications, at ` +
+      `most ${Math.max(...short.map(({ told }) => told))} in one; ${sum("answers")} answers`,
   );
   expect(sum("answers")).toBeGreaterThan(20);
   expect(Math.max(...short.map(({ told }) => told))).toBe(1);

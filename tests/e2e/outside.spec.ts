@@ -191,68 +191,73 @@ test.describe("in a frame", () => {
     ["openLink", { args: [5] }, "openLink", "must be a text of at most"],
   ];
 
-  test("a message with a value that makes no sense is answered by an error that names field, value and rule, and changes nothing", async ({
-    page,
-  }) => {
-    const complaints = complaintsOf(page);
-    await page.goto("/host/frame.html");
-    await expect
-      .poll(() => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type)), { timeout: 30_000 })
-      .toContain("parkade:plan-complete");
-    const inside = page.frames()[1]!;
-    const state = () =>
-      inside.evaluate(() => {
-        const { camera, playhead, params, sceneData } = document.querySelector("parkade-playground") as Embed;
-        return JSON.stringify({ camera, playhead, params, sceneData });
+  test(
+    "a message with a value that makes no sense is answered by an error that names field, value and rule, and " +
+      "changes nothing",
+    async ({ page }) => {
+      const complaints = complaintsOf(page);
+      await page.goto("/host/frame.html");
+      await expect
+        .poll(() => page.evaluate(() => (window as unknown as Host).heard.map(({ type }) => type)), { timeout: 30_000 })
+        .toContain("parkade:plan-complete");
+      const inside = page.frames()[1]!;
+      const state = () =>
+        inside.evaluate(() => {
+          const { camera, playhead, params, sceneData } = document.querySelector("parkade-playground") as Embed;
+          return JSON.stringify({ camera, playhead, params, sceneData });
+        });
+      const before = await state();
+      for (const [message, rest, field, rule] of REFUSED) {
+        const error = await page.evaluate(
+          async ([name, more]) => {
+            const { ask, heard } = window as unknown as Host;
+            heard.length = 0;
+            await ask(name, more);
+            const told = () => heard.find(({ type }) => type === "parkade:error");
+            for (let tries = 0; tries < 200 && !told(); tries++) await new Promise((done) => setTimeout(done, 20));
+            return told();
+          },
+          [message, rest] as const,
+        );
+        expect(error, `${message} ${JSON.stringify(rest)}`).toMatchObject({
+          field,
+          code: "value",
+          rule: expect.stringMatching(`^${rule}`),
+          message: expect.stringContaining(`${field}: ${rule}`) as unknown,
+        });
+        expect(await state()).toBe(before);
+      }
+      const scene = await page.evaluate(async () => {
+        const { ask, heard } = window as unknown as Host;
+        const now = (await ask("getScene")).result as Scenario;
+        heard.length = 0;
+        const { error } = await ask("setScene", { args: [{ ...now, map: { ...now.map, width: 1e9 } }] });
+        return { error, told: heard.find(({ type }) => type === "parkade:error") };
       });
-    const before = await state();
-    for (const [message, rest, field, rule] of REFUSED) {
-      const error = await page.evaluate(
-        async ([name, more]) => {
-          const { ask, heard } = window as unknown as Host;
-          heard.length = 0;
-          await ask(name, more);
-          const told = () => heard.find(({ type }) => type === "parkade:error");
-          for (let tries = 0; tries < 200 && !told(); tries++) await new Promise((done) => setTimeout(done, 20));
-          return told();
-        },
-        [message, rest] as const,
-      );
-      expect(error, `${message} ${JSON.stringify(rest)}`).toMatchObject({
-        field,
-        code: "value",
-        rule: expect.stringMatching(`^${rule}`),
-        message: expect.stringContaining(`${field}: ${rule}`) as unknown,
-      });
+      expect(scene.error).toContain("map.width: must be 1 to 4096 cells");
+      expect(scene.told).toMatchObject({ field: "map.width", code: "bad-scenario" });
       expect(await state()).toBe(before);
-    }
-    const scene = await page.evaluate(async () => {
-      const { ask, heard } = window as unknown as Host;
-      const now = (await ask("getScene")).result as Scenario;
-      heard.length = 0;
-      const { error } = await ask("setScene", { args: [{ ...now, map: { ...now.map, width: 1e9 } }] });
-      return { error, told: heard.find(({ type }) => type === "parkade:error") };
-    });
-    expect(scene.error).toContain("map.width: must be 1 to 4096 cells");
-    expect(scene.told).toMatchObject({ field: "map.width", code: "bad-scenario" });
-    expect(await state()).toBe(before);
-    // What makes sense is taken.
-    expect(
-      await page.evaluate(async () => {
-        const { ask } = window as unknown as Host;
-        await ask("playhead", { value: 0.25 });
-        await ask("params", { value: { sixteen: {} } });
-        return ask("camera", { value: { x: 10, y: 8, scale: 30 } });
-      }),
-    ).toMatchObject({ result: undefined });
-    await expect.poll(state).toContain('"camera":{"x":10,"y":8,"scale":30},"playhead":0.25,"params":{"sixteen":{}}');
-    expect(complaints).toEqual([]);
-  });
+      // What makes sense is taken.
+      expect(
+        await page.evaluate(async () => {
+          const { ask } = window as unknown as Host;
+          await ask("playhead", { value: 0.25 });
+          await ask("params", { value: { sixteen: {} } });
+          return ask("camera", { value: { x: 10, y: 8, scale: 30 } });
+        }),
+      ).toMatchObject({ result: undefined });
+      await expect.poll(state).toContain('"camera":{"x":10,"y":8,"scale":30},"playhead":0.25,"params":{"sixteen":{}}');
+      expect(complaints).toEqual([]);
+    },
+  );
 
   test("an attribute that breaks its rule is told and changes nothing", async ({ page }) => {
     const complaints = complaintsOf(page);
     await page.goto(
-      `/host/frame.html?hash=${encodeURIComponent("layout=sideways&controls=full&speed=Infinity&layers=clean+constructor&theme=blue&planners=four+four+eight&wheel=never&budget-ms=-5")}`,
+      `/host/frame.html?hash=${encodeURIComponent(
+        "layout=sideways&controls=full&speed=Infinity&layers=clean+constructor&theme=blue" +
+          "&planners=four+four+eight&wheel=never&budget-ms=-5",
+      )}`,
     );
     const heard = () => page.evaluate(() => (window as unknown as Host).heard);
     await expect

@@ -184,9 +184,13 @@ for (const { name, width, height, attributes, scheme, make } of CASES) {
     await page.route("**/host/posters.html", (route) =>
       route.fulfill({
         contentType: "text/html",
-        body: `<!doctype html><title>Posters</title>
-      <meta name="color-scheme" content="light dark"><style>body { margin: 0 } parkade-playground { width: ${width}px; height: ${height}px }</style>
-      <script type="module" src="../sub/path/parkade-playground.js"></script><parkade-playground ${attributes} editable="false" reveal="manual" poster="poster.svg"></parkade-playground>`,
+        body:
+          `<!doctype html><title>Posters</title>
+      <meta name="color-scheme" content="light dark"><style>body { margin: 0 } parkade-playground { ` +
+          `width: ${width}px; height: ${height}px }</style>
+      <script type="module" ` +
+          `src="../sub/path/parkade-playground.js"></script><parkade-playground ${attributes} editable="false" ` +
+          `reveal="manual" poster="poster.svg"></parkade-playground>`,
       }),
     );
     const visit = async () => {

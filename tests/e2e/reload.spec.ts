@@ -175,7 +175,8 @@ test("damaged storage is dropped without a word, and the page is as on a first v
       "parkade.tab.a": "{",
       "parkade.tab.b": '{"at":1e300,"scene":{}}',
       "parkade.tab.c":
-        '{"at":1,"scene":{"version":1,"map":{"origin":[0,0],"width":40,"height":30,"resolution":0.5},"start":{"x":1,"y":1,"heading":0},"goal":{"x":2e300,"y":1,"heading":0},"obstacles":[null]}}',
+        '{"at":1,"scene":{"version":1,"map":{"origin":[0,0],"width":40,"height":30,"resolution":0.5},' +
+        '"start":{"x":1,"y":1,"heading":0},"goal":{"x":2e300,"y":1,"heading":0},"obstacles":[null]}}',
     };
     for (const [key, value] of Object.entries(kept)) localStorage.setItem(key, value);
   });

@@ -58,4 +58,5 @@ export async function serve(port, { gzip = false } = {}) {
   return { url: `http://127.0.0.1:${taken}${PREFIX}`, close: () => server.close() };
 }
 
-if (process.argv[1] !== undefined && import.meta.url === pathToFileURL(process.argv[1]).href) await serve(Number(process.argv[2] ?? 4179));
+const [, started, port] = process.argv;
+if (started !== undefined && import.meta.url === pathToFileURL(started).href) await serve(Number(port ?? 4179));

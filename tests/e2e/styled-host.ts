@@ -17,8 +17,12 @@ export async function visit(page: Page, attributes: string, css: string, inside 
   await page.route("**/host/styled.html", (route) =>
     route.fulfill({
       contentType: "text/html",
-      body: `<!doctype html><title>Styled</title><style>parkade-playground { width: 1280px; height: 760px } ${css}</style>
-    <script type="module" src="../sub/path/parkade-playground.js"></script><parkade-playground ${attributes}>${inside}</parkade-playground>`,
+      body:
+        `<!doctype html><title>Styled</title><style>parkade-playground { width: 1280px; height: 760px ` +
+        `} ${css}</style>
+    <script type="module" ` +
+        `src="../sub/path/parkade-playground.js"></script>` +
+        `<parkade-playground ${attributes}>${inside}</parkade-playground>`,
     }),
   );
   await page.goto("/host/styled.html");

@@ -33,7 +33,8 @@ await withBrowser(async (browser, url) => {
     const found = await run(page);
     const minutes = (performance.now() - from) / 60_000;
     console.log(
-      `${name}: ${found.tried} tried in ${minutes.toFixed(1)} minutes, longest turn ${found.slowest.toFixed(0)} ms, ${found.lost.length} lost, ${complaints.length} complaints`,
+      `${name}: ${found.tried} tried in ${minutes.toFixed(1)} minutes, longest ` +
+        `turn ${found.slowest.toFixed(0)} ms, ${found.lost.length} lost, ${complaints.length} complaints`,
     );
     for (const one of found.lost.slice(0, 3)) console.log("lost:", JSON.stringify(one).slice(0, 2000));
     for (const text of [...new Set(complaints)].slice(0, 5)) console.log("the page complained:", text);

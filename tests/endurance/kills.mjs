@@ -30,11 +30,15 @@ const quiet = await withPage(async (page, version) => {
   const after = await page.evaluate((scene) => stateOfPage(scene), before.scene);
   console.log(`killed: ${JSON.stringify(perPlanner)}`);
   console.log(
-    `${count} kills, ${count - lost.length} recoveries; ${times.length} of the workers were at work: to the plans of all p50 ${quantile(times, 0.5).toFixed(1)}, p95 ${quantile(times, 0.95).toFixed(1)}, max ${quantile(times, 1).toFixed(1)} ms`,
+    `${count} kills, ${count - lost.length} recoveries; ${times.length} of the workers were at work: to the plans ` +
+      `of all p50 ${quantile(times, 0.5).toFixed(1)}, p95 ${quantile(times, 0.95).toFixed(
+        1,
+      )}, max ${quantile(times, 1).toFixed(1)} ms`,
   );
   const same = undone.kept && after.hashes === before.hashes && after.scene === before.scene;
   console.log(
-    `${undone.steps} steps undone: ${undone.kept ? "the scene of then" : "ANOTHER SCENE"}; plans of the first scene: ${after.hashes === before.hashes ? "as before" : "DIFFERENT"}`,
+    `${undone.steps} steps undone: ${undone.kept ? "the scene of then" : "ANOTHER SCENE"}; plans of the first ` +
+      `scene: ${after.hashes === before.hashes ? "as before" : "DIFFERENT"}`,
   );
   for (const one of lost.slice(0, 5)) console.log("not recovered:", JSON.stringify(one));
   if (lost.length > 0 || !same) process.exitCode = 1;

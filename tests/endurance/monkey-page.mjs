@@ -273,7 +273,9 @@ function useWidget([choice, value]) {
   const element = shown[choice % shown.length];
   if (!element) return null;
   const { x, y, width, height } = element.getBoundingClientRect();
-  const name = `${element.getRootNode().host?.localName ?? ""} ${element.localName} ${element.getAttribute("aria-label") ?? element.textContent?.trim().slice(0, 30) ?? ""}`;
+  const name = `${element.getRootNode().host?.localName ?? ""} ${element.localName} ${
+    element.getAttribute("aria-label") ?? element.textContent?.trim().slice(0, 30) ?? ""
+  }`;
   const tell = (kind) => ({ kind, name, x: x + width / 2, y: y + height / 2 });
   const changed = () => {
     for (const type of ["input", "change"]) element.dispatchEvent(new Event(type, { bubbles: true, composed: true }));

@@ -24,7 +24,8 @@ await withBrowser(async (browser, url) => {
       enough: () => performance.now() > end,
     });
     console.log(
-      `${name}, seed ${how.seed}: ${found.actions} actions, ${found.complaints.length} complaints, longest turn ${found.slowest.toFixed(0)} ms, ${found.usable ? "plans afterwards" : "NO PLANS AFTERWARDS"}`,
+      `${name}, seed ${how.seed}: ${found.actions} actions, ${found.complaints.length} complaints, longest ` +
+        `turn ${found.slowest.toFixed(0)} ms, ${found.usable ? "plans afterwards" : "NO PLANS AFTERWARDS"}`,
     );
     for (const { text, action, before } of found.complaints.slice(0, 5))
       console.log(`after ${action} actions: ${text.slice(0, 1500)}\n  ${before.join("\n  ")}`);

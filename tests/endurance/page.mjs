@@ -2,8 +2,10 @@
 import { withBrowser } from "../e2e/browser.js";
 
 /** A module's memory is reachable only where it is made: workers are told to keep theirs. */
-const KEEP_MEMORIES = `globalThis.memories = []; const instantiate = WebAssembly.instantiate;
-WebAssembly.instantiate = async (...all) => { const made = await instantiate(...all); memories.push((made.instance ?? made).exports.memory); return made; };`;
+const KEEP_MEMORIES =
+  `globalThis.memories = []; const instantiate = WebAssembly.instantiate;
+WebAssembly.instantiate = async (...all) => { const made = await instantiate(...all); memories.push((made.instance ` +
+  `?? made).exports.memory); return made; };`;
 
 /** Calls `use` with the loaded page of that size; closes everything after it. */
 export async function withPage(use, prepare, viewport = { width: 1400, height: 900 }) {

@@ -35,7 +35,9 @@ const quiet = await withPage(
         samples.push({ minute: elapsed(), p50: quantile(latencies, 0.5), p95: quantile(latencies, 0.95), ...memory });
         const { minute, heap, wasm, nodes, p50, p95 } = samples.at(-1);
         console.log(
-          `minute ${minute.toFixed(1)}: ${edits} edits, ${rate.toFixed(1)} a second, heap ${heap.toFixed(1)} MB, wasm ${wasm.toFixed(1)} MB in ${memory.workers} workers, ${nodes} nodes, edit to settled p50 ${p50.toFixed(0)}, p95 ${p95.toFixed(0)} ms`,
+          `minute ${minute.toFixed(1)}: ${edits} edits, ${rate.toFixed(1)} a second, ` +
+            `heap ${heap.toFixed(1)} MB, wasm ${wasm.toFixed(1)} MB in ${memory.workers} workers, ` +
+            `${nodes} nodes, edit to settled p50 ${p50.toFixed(0)}, p95 ${p95.toFixed(0)} ms`,
         );
       }
     }
@@ -59,7 +61,9 @@ const quiet = await withPage(
       const flat = late <= early * GROWTH;
       const most = Math.max(...calm.map((one) => one[name])).toFixed(1);
       console.log(
-        `${name}: ${part === 0.5 ? "median" : "lowest tenth"} ${early.toFixed(1)} ${unit} in the first half after minute ${warm}, ${late.toFixed(1)} ${unit} in the second, ${most} ${unit} at most: ${flat ? "flat" : "GROWN"}`,
+        `${name}: ${part === 0.5 ? "median" : "lowest tenth"} ${early.toFixed(1)} ${unit} in the first half after ` +
+          `minute ${warm}, ${late.toFixed(1)} ${unit} in the second, ` +
+          `${most} ${unit} at most: ${flat ? "flat" : "GROWN"}`,
       );
       // Times depend on what else the machine does.
       if (judged && !flat) process.exitCode = 1;

@@ -36,7 +36,10 @@ export function ask({ Planner, optimise, stopWaitGo }, questions) {
     for (const [field, answer] of Object.entries(answers)) {
       asked++;
       if (ours[field] !== answer)
-        different.push(`line ${number + 1}: ${planner} on ${scene.name ?? "a random map"}: ${field} ${ours[field]}, natively ${answer}`);
+        different.push(
+          `line ${number + 1}: ${planner} on ${scene.name ?? "a random map"}: ` +
+            `${field} ${ours[field]}, natively ${answer}`,
+        );
     }
   }
   return { asked, different };

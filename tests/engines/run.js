@@ -12,18 +12,25 @@ import { ask } from "./ask.js";
 
 const ROOT = new URL("../../", import.meta.url);
 const SERVED = ["pkg/", "tests/engines/"];
-const TYPES = /** @type {Record<string, string>} */ ({ ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" });
+const TYPES = /** @type {Record<string, string>} */ ({
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".wasm": "application/wasm",
+});
 const PATIENCE_MS = 30 * 60_000;
 
 const [file, vectorised] = process.argv.slice(2);
-if (!file || !vectorised) throw new Error("usage: run.js questions.jsonl FOLDER, of the package compiled to vector instructions");
+if (!file || !vectorised)
+  throw new Error("usage: run.js questions.jsonl FOLDER, of the package compiled to vector instructions");
 const questions = await readFile(file, "utf8");
 
 /** @typedef {{ asked: number, different: string[], agent: string }} Answers */
 
 /** @param {string[]} names */
 const installed = (names) =>
-  names.flatMap((name) => (process.env["PATH"] ?? "").split(delimiter).map((folder) => join(folder, name))).find((path) => existsSync(path));
+  names
+    .flatMap((name) => (process.env["PATH"] ?? "").split(delimiter).map((folder) => join(folder, name)))
+    .find((path) => existsSync(path));
 
 const BROWSERS = [
   {
@@ -32,7 +39,8 @@ const BROWSERS = [
     /** @param {string} profile */
     options: (profile) => [
       "--headless", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-      "--disable-component-update", "--disable-sync", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []), `--user-data-dir=${profile}`,
+      "--disable-component-update", "--disable-sync", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
+      `--user-data-dir=${profile}`,
     ],
   },
   {
@@ -72,7 +80,8 @@ async function inBrowser(path, options) {
   const address = server.address();
   const port = typeof address === "object" && address ? address.port : 0;
   const profile = await mkdtemp(join(tmpdir(), "parkade-engines-"));
-  const browser = spawn(path, [...options(profile), `http://127.0.0.1:${port}/tests/engines/page.html`], { stdio: "ignore" });
+  const page = `http://127.0.0.1:${port}/tests/engines/page.html`;
+  const browser = spawn(path, [...options(profile), page], { stdio: "ignore" });
   try {
     return await Promise.race([
       answers,
@@ -95,7 +104,8 @@ let wrong = 0;
 /** @param {string} where @param {Answers} answers */
 function report(where, { asked, different, agent }) {
   const ok = asked > 0 && different.length === 0;
-  console.log(`${where.padEnd(10)} ${asked - different.length} of ${asked} as natively${ok ? "" : ": DIFFERENT"}   ${agent}`);
+  const same = asked - different.length;
+  console.log(`${where.padEnd(10)} ${same} of ${asked} as natively${ok ? "" : ": DIFFERENT"}   ${agent}`);
   for (const line of different.slice(0, 20)) console.log(`  ${line}`);
   if (!ok) wrong++;
 }
@@ -111,6 +121,9 @@ await inNode("Node", new URL("pkg/", ROOT));
 await inNode("Node, simd", pathToFileURL(`${vectorised}/`));
 for (const { name, path, options } of BROWSERS) {
   if (path) report(name, await inBrowser(path, options));
-  else console.log(`${name.padEnd(10)} skipped: not found; install it, or name it in ${name === "Firefox" ? "FIREFOX_PATH" : "CHROME_PATH"}`);
+  else {
+    const variable = name === "Firefox" ? "FIREFOX_PATH" : "CHROME_PATH";
+    console.log(`${name.padEnd(10)} skipped: not found; install it, or name it in ${variable}`);
+  }
 }
 process.exit(wrong > 0 ? 1 : 0);

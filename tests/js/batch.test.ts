@@ -126,7 +126,7 @@ test("scenes that cannot be planned are named, told by the exit code, and stop n
   expect(err).toContain("mixed.jsonl:2 (eight): is not JSON");
 });
 
-test("a scene that is edited, cut short or gone since it was listed is refused, and the others are planned", async () => {
+test("a scene that is edited, cut or gone since it was listed is refused, and the others are planned", async () => {
   mkdirSync(join(folder, "edited"));
   const text = JSON.stringify(scenario("perpendicular")),
     files = ["edited", "cut", "gone", "kept"].map((name) => join(folder, `edited/${name}.json`));
@@ -136,7 +136,13 @@ test("a scene that is edited, cut short or gone since it was listed is refused, 
   };
   const tasks: object[] = [];
   for await (const { scene, content } of scenes(join(folder, "edited")))
-    tasks.push({ key: basename(scene.name), scene, content, planner: "eight", extras: { paths: false, times: false } });
+    tasks.push({
+      key: basename(scene.name),
+      scene,
+      content,
+      planner: "eight",
+      extras: { paths: false, times: false },
+    });
   writeFileSync(files[0]!, text.replace('"name":"p', '"name":"P'));
   writeFileSync(files[1]!, text.slice(0, -1));
   rmSync(files[2]!);
@@ -236,51 +242,57 @@ test("a file that holds something else is refused before anything is planned", (
   expect(lines("other.jsonl")).toEqual(['{"a":1}']);
 });
 
-test("after a trap threads are replaced: what failed is tried once more, and nothing else is lost, repeated or blamed", async () => {
-  const { planned } = (await import(/* @vite-ignore */ pathToFileURL(join(PACKAGE, "cli/batch.js")).href)) as {
-    planned(...args: unknown[]): Promise<boolean>;
-  };
-  type Done = { line: string; result: { key: string; error?: { code: string } } };
-  const TRAPS = new Map([
-    ["7", 1],
-    ["23", 2],
-    ["24", 1],
-  ]); // by task: how often its plan traps
-  let dead = false,
-    recycled = 0;
-  const pool = {
-    async run(group: { key: string }[]) {
-      await Promise.resolve();
-      const done: Done[] = [];
-      for (const { key } of group) {
-        if (dead) break;
-        const traps = TRAPS.get(key) ?? 0;
-        if (traps > 0) TRAPS.set(key, traps - 1);
-        dead = traps > 0;
-        done.push({ line: `${key}\n`, result: { key, ...(dead && { error: { code: "internal" } }) } });
-      }
-      return { done, ms: done.length };
-    },
-    async recycleWorkers() {
-      await Promise.resolve();
-      dead = false;
-      recycled++;
-    },
-  };
-  const written: Done["result"][] = [];
-  let text = "";
-  const stopped = await planned(
-    pool,
-    Array.from({ length: 100 }, (_, key) => ({ key: `${key}` })),
-    2,
-    (lines: string, results: Done["result"][]) => {
-      text += lines;
-      written.push(...results);
-    },
-  );
-  expect(stopped).toBe(false);
-  expect(written.map(({ key }) => Number(key)).sort((a, b) => a - b)).toEqual(Array.from({ length: 100 }, (_, i) => i));
-  expect(text).toBe(written.map(({ key }) => `${key}\n`).join(""));
-  expect(written.filter(({ error }) => error !== undefined).map(({ key }) => key)).toEqual(["23"]);
-  expect(recycled).toBe(4);
-});
+test(
+  "after a trap threads are replaced: what failed is tried once more, and nothing else is lost, repeated or " +
+    "blamed",
+  async () => {
+    const { planned } = (await import(/* @vite-ignore */ pathToFileURL(join(PACKAGE, "cli/batch.js")).href)) as {
+      planned(...args: unknown[]): Promise<boolean>;
+    };
+    type Done = { line: string; result: { key: string; error?: { code: string } } };
+    const TRAPS = new Map([
+      ["7", 1],
+      ["23", 2],
+      ["24", 1],
+    ]); // by task: how often its plan traps
+    let dead = false,
+      recycled = 0;
+    const pool = {
+      async run(group: { key: string }[]) {
+        await Promise.resolve();
+        const done: Done[] = [];
+        for (const { key } of group) {
+          if (dead) break;
+          const traps = TRAPS.get(key) ?? 0;
+          if (traps > 0) TRAPS.set(key, traps - 1);
+          dead = traps > 0;
+          done.push({ line: `${key}\n`, result: { key, ...(dead && { error: { code: "internal" } }) } });
+        }
+        return { done, ms: done.length };
+      },
+      async recycleWorkers() {
+        await Promise.resolve();
+        dead = false;
+        recycled++;
+      },
+    };
+    const written: Done["result"][] = [];
+    let text = "";
+    const stopped = await planned(
+      pool,
+      Array.from({ length: 100 }, (_, key) => ({ key: `${key}` })),
+      2,
+      (lines: string, results: Done["result"][]) => {
+        text += lines;
+        written.push(...results);
+      },
+    );
+    expect(stopped).toBe(false);
+    expect(written.map(({ key }) => Number(key)).sort((a, b) => a - b)).toEqual(
+      Array.from({ length: 100 }, (_, i) => i),
+    );
+    expect(text).toBe(written.map(({ key }) => `${key}\n`).join(""));
+    expect(written.filter(({ error }) => error !== undefined).map(({ key }) => key)).toEqual(["23"]);
+    expect(recycled).toBe(4);
+  },
+);

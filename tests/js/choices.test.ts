@@ -121,7 +121,8 @@ describe("the search that answered", () => {
     const [cell, angle] = [Math.round(xyResolution * 100), Number(((headingResolution * 180) / Math.PI).toFixed(1))];
     expect(cell).toBeLessThanOrEqual(15);
     expect(reason).toContain(
-      `No way through for this car at ${cell} cm and ${angle}° with 2 mm of margin, with any number of gear changes. The search came to (`,
+      `No way through for this car at ${cell} cm and ${angle}° with 2 mm of margin, with any number of gear ` +
+        `changes. The search came to (`,
     );
     corner.free();
     const small = new core.Planner("hybrid", scenario("perpendicular"));

@@ -68,7 +68,9 @@ test("standard input that is no scene is refused in words", () => {
 test("bash completes commands, options, planners and scenes", () => {
   const { out } = run(["completion", "bash"]);
   const completed = (...words: string[]): string[] => {
-    const asked = `${out}\nCOMP_WORDS=(${words.map((word) => `"${word}"`).join(" ")}); COMP_CWORD=${words.length - 1}; _parkade; printf '%s\n' "\${COMPREPLY[@]}"`;
+    const asked = `${out}\nCOMP_WORDS=(${words
+      .map((word) => `"${word}"`)
+      .join(" ")}); COMP_CWORD=${words.length - 1}; _parkade; printf '%s\n' "\${COMPREPLY[@]}"`;
     return spawnSync("bash", ["-c", asked], { encoding: "utf8" }).stdout.trim().split("\n");
   };
   expect(completed("parkade", "sce")).toEqual(["scenarios", "scenario"]);

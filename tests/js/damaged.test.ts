@@ -170,34 +170,38 @@ test("null in a scene from outside is as good as absent, at any depth, but for s
   expect(checked(scenes[0]!)).toBe(scenes[0]);
 });
 
-test("a scene of more than a page can draw is refused before anything is made of it, also where a link of a few kilobytes holds it", async () => {
-  const scene = scenes[0]!,
-    many = <T>(count: number, one: T): T[] => Array.from({ length: count }, () => one);
-  const box = {
-    type: "rectangle" as const,
-    id: "box",
-    center: [1, 1] as [number, number],
-    size: [1, 1] as [number, number],
-  };
-  const wall = { type: "wall" as const, id: "wall", points: many(2000, [1, 1] as [number, number]), thickness: 0.1 };
-  expect(() => checked({ ...scene, obstacles: many(2001, box) })).toThrow("must be at most 2000 objects, got");
-  expect(() => checked({ ...scene, obstacles: many(26, wall) })).toThrow(
-    "points: must be at most 50000 points, got 52000",
-  );
-  expect(() => checked({ ...scene, name: "x".repeat(201) })).toThrow("name: must be at most 200 characters, got 201");
-  expect(() => checked({ ...scene, obstacles: [{ ...box, id: "x".repeat(1e6) }] })).toThrow(
-    "id: must be at most 200 characters, got 1000000",
-  );
-  for (const [short, told] of [
-    [{ o: many(1_000_000, ["r", "", [1, 0, 1, 1, 0]]) }, "damaged or cut off"],
-    [{ o: [["k", "", many(200_000, 1)]] }, "more cells than a link can"],
-    [{ o: many(50_000, ["r", "", [1, 0, 1, 1, 0]]) }, "at most 2000 objects"],
-  ] as const) {
-    const link = await sceneText({ ...texts[0]!.short, ...short });
-    expect(link.length).toBeLessThan(100_000);
-    await expect(decodeScene(link).then(checked)).rejects.toThrow(told);
-  }
-});
+test(
+  "a scene of more than a page can draw is refused before anything is made of it, also where a link of a few " +
+    "kilobytes holds it",
+  async () => {
+    const scene = scenes[0]!,
+      many = <T>(count: number, one: T): T[] => Array.from({ length: count }, () => one);
+    const box = {
+      type: "rectangle" as const,
+      id: "box",
+      center: [1, 1] as [number, number],
+      size: [1, 1] as [number, number],
+    };
+    const wall = { type: "wall" as const, id: "wall", points: many(2000, [1, 1] as [number, number]), thickness: 0.1 };
+    expect(() => checked({ ...scene, obstacles: many(2001, box) })).toThrow("must be at most 2000 objects, got");
+    expect(() => checked({ ...scene, obstacles: many(26, wall) })).toThrow(
+      "points: must be at most 50000 points, got 52000",
+    );
+    expect(() => checked({ ...scene, name: "x".repeat(201) })).toThrow("name: must be at most 200 characters, got 201");
+    expect(() => checked({ ...scene, obstacles: [{ ...box, id: "x".repeat(1e6) }] })).toThrow(
+      "id: must be at most 200 characters, got 1000000",
+    );
+    for (const [short, told] of [
+      [{ o: many(1_000_000, ["r", "", [1, 0, 1, 1, 0]]) }, "damaged or cut off"],
+      [{ o: [["k", "", many(200_000, 1)]] }, "more cells than a link can"],
+      [{ o: many(50_000, ["r", "", [1, 0, 1, 1, 0]]) }, "at most 2000 objects"],
+    ] as const) {
+      const link = await sceneText({ ...texts[0]!.short, ...short });
+      expect(link.length).toBeLessThan(100_000);
+      await expect(decodeScene(link).then(checked)).rejects.toThrow(told);
+    }
+  },
+);
 
 test(
   "values in messages and attributes are refused by field, value and rule, or keep their rules",

@@ -113,7 +113,8 @@ test.each(
 
 test("every sample is of a kind that is run or only shown", () => {
   const kinds = new Set(written.map(({ language }) => language));
-  // html runs in the browser's tests, rust in cargo's; css is the example book's; sql and python in the tests of Python; text, toml and yaml belong to other programs.
+  // html runs in the browser's tests, rust in cargo's; css is the example book's; sql and python in the
+  // tests of Python; text, toml and yaml belong to other programs.
   expect(
     [...kinds].filter(
       (kind) => !["js", "sh", "html", "rust", "css", "text", "toml", "yaml", "python", "sql"].includes(kind),

@@ -185,7 +185,10 @@ it("goal, start and obstacles are dragged by 200 steps, and no path leaps to one
     times.push(...millis);
   }
   console.log(
-    `${count} paths of ${drags.length} drags; CPU a step p50 ${quantile(times, 0.5).toFixed(1)}, p95 ${quantile(times, 0.95).toFixed(1)}, max ${quantile(times, 1).toFixed(1)} ms`,
+    `${count} paths of ${drags.length} drags; CPU a step ` +
+      `p50 ${quantile(times, 0.5).toFixed(1)}, p95 ${quantile(times, 0.95).toFixed(
+        1,
+      )}, max ${quantile(times, 1).toFixed(1)} ms`,
   );
   expect(count).toBeGreaterThan((STEPS * drags.length) / 2);
   expect(found).toEqual([]);

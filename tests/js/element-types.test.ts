@@ -68,7 +68,8 @@ test("a strict program of the installed package uses them, and a wrong one does 
     'import type {} from "parkade/element";\nconst element = document.createElement("parkade-playground");\n';
   expect(
     compile(
-      `${begin}element.addEventListener("plan-result", ({ detail }) => console.log(detail.plan?.hash));\nvoid element.seek(0.5).then(() => element.toSVG());\n`,
+      `${begin}element.addEventListener("plan-result", ({ detail }) => console.log(detail.plan?.hash));\nvoid ` +
+        `element.seek(0.5).then(() => element.toSVG());\n`,
     ),
   ).toBe("");
   expect(compile(`${begin}element.sek(1);\n`)).toContain("'sek' does not exist");

@@ -187,7 +187,7 @@ describe("why it fails", () => {
     }
   });
 
-  it("says of a corner that is too narrow how finely it was searched, and how wide the passage and the turn are", () => {
+  it("says of a corner that is too narrow how finely it was searched, and how wide passage and turn are", () => {
     // Corridors of 2.6 m for a car of 1.9 m that sweeps 3.06 m.
     const corner = (wide: number): Scenario => ({
       ...lot({}),

@@ -221,7 +221,9 @@ describe("packed cells", () => {
       const ready = performance.now();
       const plan = planner.plan();
       console.log(
-        `${size}²: ${runs.length} runs ready in ${(ready - start).toFixed(0)} ms, planned in ${(performance.now() - ready).toFixed(0)} ms`,
+        `${size}²: ${runs.length} runs ready in ${(ready - start).toFixed(0)} ms, planned in ${(
+          performance.now() - ready
+        ).toFixed(0)} ms`,
       );
       expect(plan.outcome).toBe("found");
       planner.free();

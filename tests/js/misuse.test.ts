@@ -13,8 +13,14 @@ import { FILES } from "./site-plan-files";
 
 const LONGEST = 600;
 /** Words of engines, not of people. */
-const RAW =
-  /\n\s+at |\[object |undefined is|is not a function|Cannot (read|set|convert)|panicked|unreachable|recursive|E[A-Z]{4,}:/;
+const RAW = new RegExp(
+  [
+    /\n\s+at |\[object |undefined is|is not a function|Cannot (read|set|convert)/,
+    /panicked|unreachable|recursive|E[A-Z]{4,}:/,
+  ]
+    .map(({ source }) => source)
+    .join("|"),
+);
 
 let folder = "";
 let answer: (args: string[]) => Promise<number>;

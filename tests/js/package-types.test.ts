@@ -43,7 +43,8 @@ function check(name: string, text: string, module = "nodenext", resolution = mod
 
 test("the types are found by modules and by CommonJS, as old and new compilers resolve them", () => {
   const text =
-    'import { init, Planner, type Scenario } from "parkade";\nexport const plan = (scene: Scenario) => init().then(() => new Planner("hybrid", scene).plan());';
+    'import { init, Planner, type Scenario } from "parkade";\nexport const plan = (scene: Scenario) => ' +
+    'init().then(() => new Planner("hybrid", scene).plan());';
   for (const module of ["node16", "node18", "nodenext"]) {
     for (const name of ["types.cts", "types.mts"])
       expect([module, name, check(name, text, module, module === "node18" ? "node16" : module)]).toEqual([
@@ -91,10 +92,13 @@ test("settings are typed by planner, figures by family, and errors by code", () 
       "typed.ts",
       `import { defaultConfig, ParkadeError, Planner, type Plan, type Scenario } from "parkade";
     declare const scene: Scenario, any: Plan, error: ParkadeError;
-    export const clearance: number | undefined = new Planner("eight", scene, { post: "smooth", minRadius: "vehicle" }).plan().metrics.lengthRaw;
-    export const gap: number | undefined = new Planner("hybrid", scene, { margin: 0.2, xyResolution: null }).plan().metrics.gapPercent;
+    export const clearance: number | undefined = new Planner("eight", scene, { post: "smooth", minRadius: "vehicle" ` +
+        `}).plan().metrics.lengthRaw;
+    export const gap: number | undefined = new Planner("hybrid", scene, { margin: 0.2, xyResolution: null ` +
+        `}).plan().metrics.gapPercent;
     export const moved = any.planner === "cost-map" ? any.metrics.startMoved : any.metrics.length;
-    export const factor: number = defaultConfig("cost-map").factor, weight: "none" | "distance" = defaultConfig("four").weight;
+    export const factor: number = defaultConfig("cost-map").factor, weight: "none" | "distance" = ` +
+        `defaultConfig("four").weight;
     export const isMine = error.code === "bad-config";`,
     ),
   ).toBe("");
@@ -125,7 +129,8 @@ test("strict TypeScript accepts good use of the types and refuses bad", () => {
   ).toBe("");
   const refused = check(
     "bad.ts",
-    'import { Planner, scenario } from "parkade";\nexport const plan = new Planner("hybird", scenario(3)).plan().lenght;',
+    'import { Planner, scenario } from "parkade";\nexport const plan = new Planner("hybird", ' +
+      "scenario(3)).plan().lenght;",
   );
   expect(refused).toMatch(/hybird/);
   expect(refused).toMatch(/lenght/);

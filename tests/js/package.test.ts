@@ -285,7 +285,8 @@ test.each([
     `const { init, Planner, ParkadeError, scenario } = require("parkade");
     init().then(async () => {
       console.log(new Planner("hybrid", scenario("perpendicular")).plan().hash);
-      try { new Planner("hybird", scenario("perpendicular")); } catch (error) { console.log(error instanceof ParkadeError, error.code); }
+      try { new Planner("hybird", scenario("perpendicular")); } catch (error) { console.log(error instanceof ` +
+      `ParkadeError, error.code); }
     });`,
   );
   const known = process.allowedNodeEnvironmentFlags.has("--experimental-require-module");

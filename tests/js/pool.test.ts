@@ -44,20 +44,24 @@ it("has as many workers as there are processors, within what a comparison needs 
   expect([1, 2, 7, 64].map(mostWorkers)).toEqual([6, 6, 7, 8]);
 });
 
-it("lends what rests at one playground to another before it makes more, and leaves a playground's own planners theirs", () => {
-  const { made, ask } = setup(8);
-  const here = {},
-    there = {};
-  const one = ask(here),
-    two = ask(here);
-  one.busy = two.busy = false;
-  const own = ask(here);
-  expect([made.length, one.worker, own.worker]).toEqual([3, made[0], made[2]]);
-  const lent = [ask(there), ask(there), ask(there)];
-  expect([made.length, one.worker, two.worker]).toEqual([4, null, null]);
-  expect(lent.map(({ worker }) => made.indexOf(worker as Fake))).toEqual([0, 1, 3]);
-  expect(own.worker).toBe(made[2]);
-});
+it(
+  "lends what rests at one playground to another before it makes more, and leaves a playground's own planners " +
+    "theirs",
+  () => {
+    const { made, ask } = setup(8);
+    const here = {},
+      there = {};
+    const one = ask(here),
+      two = ask(here);
+    one.busy = two.busy = false;
+    const own = ask(here);
+    expect([made.length, one.worker, own.worker]).toEqual([3, made[0], made[2]]);
+    const lent = [ask(there), ask(there), ask(there)];
+    expect([made.length, one.worker, two.worker]).toEqual([4, null, null]);
+    expect(lent.map(({ worker }) => made.indexOf(worker as Fake))).toEqual([0, 1, 3]);
+    expect(own.worker).toBe(made[2]);
+  },
+);
 
 it("makes no more workers than it may, and takes one from whoever rests", () => {
   const { made, ask } = setup(2);

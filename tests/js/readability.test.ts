@@ -10,7 +10,8 @@ const LEAST = 50;
 test("plain sentences read more easily than stiff ones", () => {
   const plain = readingEase("The car stops. It waits for the bus. Then it drives on.");
   const stiff = readingEase(
-    "Subsequently the automobile's deceleration necessitates consideration of the approaching vehicle's anticipated trajectory.",
+    "Subsequently the automobile's deceleration necessitates consideration of the approaching vehicle's anticipated " +
+      "trajectory.",
   );
   expect(plain).toBeGreaterThan(90);
   expect(stiff).toBeLessThan(10);

@@ -30,8 +30,8 @@ function rules(): string[] {
 }
 
 /** A text that says what must be, what is missing or unknown, or how something was read. */
-const STATED =
-  /"((?:[^"\\\n]|\\.)*(?:\bmust |\bmissing\b|unknown field|no such |unknown cells|cells between|Turned by)(?:[^"\\\n]|\\.)*)"/g;
+const SIGNS = /\bmust |\bmissing\b|unknown field|no such |unknown cells|cells between|Turned by/.source;
+const STATED = new RegExp(`"((?:[^"\\\\\\n]|\\\\.)*(?:${SIGNS})(?:[^"\\\\\\n]|\\\\.)*)"`, "g");
 
 /** The page's own reasons. */
 function sentences(): string[] {

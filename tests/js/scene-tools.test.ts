@@ -116,7 +116,7 @@ describe("a drag", () => {
     expect(on.store.state.canUndo).toBe(false);
   });
 
-  it("brings the goal into the nearest free slot within 1.2 m and 35 degrees, either way round, and shows which", () => {
+  it("brings the goal into the nearest free slot within 1.2 m and 35 degrees, either way, and shows which", () => {
     const bays = [21, 24, 27].map((x, i) => ({
       id: `bay-${i}`,
       kind: "perpendicular" as const,

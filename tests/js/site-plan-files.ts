@@ -81,15 +81,19 @@ export function dxf(): string {
 export function svg(): string {
   const at = ([x, y]: Point): string => `${x * 10},${(16.5 - y) * 10}`;
   const [[cx, cy] = [0, 0]] = LOT.column;
-  return `<?xml version="1.0" encoding="UTF-8"?>
-<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" viewBox="0 0 200 165">
+  return (
+    `<?xml version="1.0" encoding="UTF-8"?>
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" viewBox="0 0 ` +
+    `200 165">
   <g inkscape:label="Walls"><polyline points="${LOT.walls.map(at).join(" ")}"/></g>
   <g inkscape:label="Bays">${LOT.bays.map((bay) => `<polygon points="${bay.map(at).join(" ")}"/>`).join("\n    ")}</g>
-  <g inkscape:label="Columns" transform="translate(${cx * 10} ${(16.5 - cy) * 10}) rotate(-90)"><rect width="4" height="4"/></g>
+  <g inkscape:label="Columns" transform="translate(${cx * 10} ${(16.5 - cy) * 10}) rotate(-90)"><rect width="4" ` +
+    `height="4"/></g>
   <g id="kerb"><path d="M${at(LOT.kerb[0]!)} V${(16.5 - 2) * 10} h20"/></g>
   <text x="3" y="4">Level 1</text>
 </svg>
-`;
+`
+  );
 }
 
 /** The place of a point in metres, degrees east and north of a corner in Berlin; good to a millimetre over a lot. */
@@ -148,7 +152,10 @@ export function osm(): string {
     ],
     { highway: "service" },
   );
-  return `<?xml version="1.0" encoding="UTF-8"?>\n<osm version="0.6">\n${nodes.join("\n")}\n${ways.join("\n")}\n</osm>\n`;
+  return (
+    `<?xml version="1.0" encoding="UTF-8"?>\n<osm ` +
+    `version="0.6">\n${nodes.join("\n")}\n${ways.join("\n")}\n</osm>\n`
+  );
 }
 
 export const FILES: Record<string, string> = {

@@ -272,7 +272,9 @@ describe("a file", () => {
   const LARGE: Record<string, [text: () => string, reason: string]> = {
     dxf: [
       () =>
-        `0\nSECTION\n2\nENTITIES\n${`0\nLINE\n8\nA\n10\n0\n20\n0\n11\n5\n21\n${"5".padEnd(20, "0")}\n`.repeat(1_120_000)}0\nENDSEC\n0\nEOF\n`,
+        `0\nSECTION\n2\nENTITIES\n${`0\nLINE\n8\nA\n10\n0\n20\n0\n11\n5\n21\n${"5".padEnd(20, "0")}\n`.repeat(
+          1_120_000,
+        )}0\nENDSEC\n0\nEOF\n`,
       "at most 200000 entities",
     ],
     geojson: [

@@ -15,27 +15,37 @@ const tracked = execFileSync("git", ["ls-files"], { cwd: ROOT, encoding: "utf8" 
 const read = (file: string): string => readFileSync(join(ROOT, file), "utf8");
 
 /** Whole words, or their beginnings where a hyphen follows. */
-const MISSPELT =
-  `accomodat- acheiv- accross adress- agressiv- algoritm- allready alot apparant- arbitary arguement- assymmetr- asyncron-
-   availab1- becuase begining beleiv- bellow boundry calender cancelation catagor- chnage- collison- comand- comming commited
-   comparision- compatab- compatib1- completly concious- consistant- coordiante- correspond1- curvatur curvture definate-
-   dependan- desgin- diferen- dimention- direciton- discription- distnace- doesnt efficien1- embarass- enviroment- equivilent-
-   existance explicitely feasable finaly foward- freqeun- funciton- gauranteed- grammer guarantie- heuristc- hierachy
-   immediatly implemention indepedent- independant- inital- intialis- intersting interupt- lenght- libary maintainance
-   manuever- manouver- necesary neccessar- neigbour- neighour- neighbhor- noticable obstical- obstacel- occassion- occured
-   occurence- ommit- optimis1- orginal- paralell paramter- parmeter- perfomance perpendiculr persistan- planer- plannar-
-   polgyon- postion- preceed- prefered priviledge- probabl1- proccess- programatic- propogat- publically recieve- recomend-
-   refered refrence- relevent repositiory resolutoin responsab- retreive- reverese- sceanrio- scenrio- seach- sepera- similiar-
-   simultanous- specificaly statment- steeering straighforward strengh- succesful- successfull- suport- suprise- synchron1-
-   tempora1- teh thier thresold- threshhold- tolerence- trajectroy- trajctor- truely unecessary- unkown untill usefull vehicel-
-   vehical- verfiy visable wich wierd writting`
-    .split(/\s+/)
-    .filter((word) => !/\d/.test(word));
+const MISSPELT = `
+  accomodat- acheiv- accross adress- agressiv- algoritm- allready alot apparant- arbitary arguement- assymmetr-
+  asyncron- availab1- becuase begining beleiv- bellow boundry calender cancelation catagor- chnage- collison-
+  comand- comming commited comparision- compatab- compatib1- completly concious- consistant- coordiante-
+  correspond1- curvatur curvture definate- dependan- desgin- diferen- dimention- direciton- discription- distnace-
+  doesnt efficien1- embarass- enviroment- equivilent- existance explicitely feasable finaly foward- freqeun-
+  funciton- gauranteed- grammer guarantie- heuristc- hierachy immediatly implemention indepedent- independant-
+  inital- intialis- intersting interupt- lenght- libary maintainance manuever- manouver- necesary neccessar-
+  neigbour- neighour- neighbhor- noticable obstical- obstacel- occassion- occured occurence- ommit- optimis1-
+  orginal- paralell paramter- parmeter- perfomance perpendiculr persistan- planer- plannar- polgyon- postion-
+  preceed- prefered priviledge- probabl1- proccess- programatic- propogat- publically recieve- recomend- refered
+  refrence- relevent repositiory resolutoin responsab- retreive- reverese- sceanrio- scenrio- seach- sepera-
+  similiar- simultanous- specificaly statment- steeering straighforward strengh- succesful- successfull- suport-
+  suprise- synchron1- tempora1- teh thier thresold- threshhold- tolerence- trajectroy- trajctor- truely unecessary-
+  unkown untill usefull vehicel- vehical- verfiy visable wich wierd writting
+`
+  .trim()
+  .split(/\s+/)
+  .filter((word) => !/\d/.test(word));
 const WRONG = new RegExp(`\\b(${MISSPELT.map((word) => word.replace(/-$/, "\\w*")).join("|")})\\b`, "gi");
 
 /** Prose is in British English, as the words of the page are. */
-const AMERICAN =
-  /\b(colors?|neighbors?|meters?|centers?|centered|behaviors?|optimiz\w+|normaliz\w+|visualiz\w+|minimiz\w+|maximiz\w+|initializ\w+|recogniz\w+|labeled|modeling|canceled|traveled|gray)\b/gi;
+const AMERICAN = new RegExp(
+  [
+    /\b(colors?|neighbors?|meters?|centers?|centered|behaviors?|labeled|modeling|canceled|traveled|gray)\b/,
+    /\b(optimiz|normaliz|visualiz|minimiz|maximiz|initializ|recogniz)\w+\b/,
+  ]
+    .map(({ source }) => source)
+    .join("|"),
+  "gi",
+);
 
 /** Without code, addresses and titles of others' works. */
 const prose = (text: string): string =>

@@ -246,7 +246,7 @@ describe("notifications", () => {
     expect(heard).toEqual(["focus > overlay"]);
   });
 
-  it("of a brush stroke are one for all moves of the pointer within a frame, and planners are asked at each", async () => {
+  it("of a brush stroke are one for all moves within a frame, and planners are asked at each", async () => {
     const store = createStore({ tool: "brush" }),
       controller = new ToolController(store),
       canvas = new FakeCanvas(),
@@ -350,7 +350,7 @@ describe("gathered changes", () => {
     expect(heard.at(-1)).toBe("focus select > focus brush");
   });
 
-  it("are told before what is drawn in the same frame, which is drawn once, and others are done where one fails", () => {
+  it("are told before what is drawn in the same frame, once, and others are done where one fails", () => {
     const { store } = setup(),
       done: string[] = [];
     const draw = (): unknown => done.push(`draw ${store.state.mode}`);

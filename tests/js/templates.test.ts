@@ -16,6 +16,7 @@ it("squeezes markup, also in templates within templates, and leaves every other 
 
 it("squeezes styles without their comments", () => {
   const code =
-    "const s = css`\n  /* Why: so. */\n  .a > .b, i { left: 0.5px; top: ${x}px; color: #aabbcc; grid-row: 1 / -1; }\n`;";
+    "const s = css`\n  /* Why: so. */\n  .a > .b, i { left: 0.5px; top: ${x}px; color: #aabbcc; grid-row: 1 / -1; " +
+    "}\n`;";
   expect(squeezed(code)).toBe("const s = css`\n.a>.b,i{left:.5px;top:${x}px;color:#abc;grid-row:1/-1}`;");
 });

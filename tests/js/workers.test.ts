@@ -96,7 +96,7 @@ test("expansions come while it searches, whole and in order", async () => {
   planner.free();
 });
 
-test("a signal ends the search that runs, and the plans that wait, each with its reason; the next one is whole", async () => {
+test("a signal ends the search that runs and the plans that wait, with its reason; the next is whole", async () => {
   const scene = long();
   const planner = await pool({ size: 1 }).createPlanner("hybrid", scene);
   const running = new AbortController(),
@@ -178,7 +178,7 @@ test("more planners than threads take turns, and each keeps its own scene and la
   }
 });
 
-test("a planner that is freed ends what runs and refuses what waits and comes; its thread goes to another", async () => {
+test("a planner that is freed ends what runs, refuses what waits and comes; its thread goes to another", async () => {
   const threads = pool({ size: 1 });
   const planner = await threads.createPlanner("hybrid", long());
   const asked = [planner.plan(), planner.plan()];

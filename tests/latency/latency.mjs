@@ -17,7 +17,9 @@ await withBrowser(async (browser, url) => {
   await page.goto(url);
   await page.evaluate(installProbe);
   console.log(
-    `\n${await page.evaluate(() => navigator.userAgent)}; ${availableParallelism()} processors, load ${loadavg()[0]?.toFixed(1)}`,
+    `\n${await page.evaluate(
+      () => navigator.userAgent,
+    )}; ${availableParallelism()} processors, load ${loadavg()[0]?.toFixed(1)}`,
   );
   await calm(page, metrics);
   await fast(page, "default scene, fast drag");
@@ -40,7 +42,8 @@ async function calm(page, metrics) {
   const after = await metrics();
   await page.mouse.up();
   console.log(
-    `\ndefault scene, goal dragged by ${steps.length} moves, each after the last was drawn (${steps.filter((one) => one.found).length} with a hybrid path)`,
+    `\ndefault scene, goal dragged by ${steps.length} moves, each after the last was drawn ` +
+      `(${steps.filter((one) => one.found).length} with a hybrid path)`,
   );
   row(
     "pointer to all grid planners drawn",
@@ -63,7 +66,10 @@ async function calm(page, metrics) {
     );
   const each = (name) => ((1000 * (after[name] - before[name])) / steps.length).toFixed(1);
   console.log(
-    `main thread, CPU time a step         ${each("TaskDuration")} ms: scripts ${each("ScriptDuration")}, style and layout ${(Number(each("RecalcStyleDuration")) + Number(each("LayoutDuration"))).toFixed(1)}`,
+    `main thread, CPU time a ` +
+      `step         ${each("TaskDuration")} ms: scripts ${each("ScriptDuration")}, style and layout ${(
+        Number(each("RecalcStyleDuration")) + Number(each("LayoutDuration"))
+      ).toFixed(1)}`,
   );
 }
 
@@ -110,11 +116,15 @@ async function fast(page, title) {
   const released = performance.now();
   await page.evaluate(() => document.querySelector("parkade-playground").settled());
   console.log(
-    `\n${title}: ${STEPS} moves in ${took.toFixed(0)} ms, ${frames.length} frames, answers ${JSON.stringify(results)}, all settled ${(performance.now() - released).toFixed(0)} ms after release`,
+    `\n${title}: ${STEPS} moves in ${took.toFixed(0)} ms, ${frames.length} frames, ` +
+      `answers ${JSON.stringify(results)}, all settled ${(performance.now() - released).toFixed(0)} ms after release`,
   );
   row("between frames", frames);
   console.log(
-    `main-thread tasks over 50 ms: ${tasks.length}${tasks.length > 0 ? `, longest ${Math.max(...tasks).toFixed(0)} ms` : ""}; target none: ${tasks.length === 0 ? "met" : "missed"}`,
+    `main-thread tasks over 50 ` +
+      `ms: ${tasks.length}${
+        tasks.length > 0 ? `, longest ${Math.max(...tasks).toFixed(0)} ms` : ""
+      }; target none: ${tasks.length === 0 ? "met" : "missed"}`,
   );
 }
 

@@ -28,7 +28,8 @@ async function measure(browser, url) {
     const runs = [];
     while (runs.length < RUNS) runs.push(await second(browser, url, controls, width, height));
     console.log(
-      `\nsecond playground, controls="${controls}", ${width} x ${height}: main thread's processor time from its insertion, medians of ${RUNS}`,
+      `\nsecond playground, controls="${controls}", ${width} x ${height}: main thread's processor time from its ` +
+        `insertion, medians of ${RUNS}`,
     );
     for (const [step, name] of Object.entries(STEPS)) {
       const [low, middle, high] = [0, 0.5, 1].map((share) =>
@@ -52,8 +53,10 @@ async function second(browser, url, controls, width, height) {
   await page.route("**/second.html", (route) =>
     route.fulfill({
       contentType: "text/html",
-      body: `<!doctype html><style>parkade-playground { width: ${width}px; height: ${height}px }</style>
-    <script type="module" src="parkade-playground.js"></script><parkade-playground layout="overlay" controls="${controls}" loading="eager"></parkade-playground>`,
+      body:
+        `<!doctype html><style>parkade-playground { width: ${width}px; height: ${height}px }</style>
+    <script type="module" src="parkade-playground.js"></script><parkade-playground layout="overlay" ` +
+        `controls="${controls}" loading="eager"></parkade-playground>`,
     }),
   );
   await page.goto(`${url}second.html`);

@@ -26,7 +26,9 @@ await withBrowser(async (browser) => {
     console.log(`\nfirst visit at 1.6 Mbit/s, 150 ms, ${name}: medians of ${RUNS}`);
     for (const [key, target] of Object.entries(TARGETS))
       console.log(
-        `  first ${key.padEnd(10)} ${middle(key).toFixed(0)} ms; target ${target} ms: ${middle(key) <= target ? "met" : "missed"}`,
+        `  first ${key.padEnd(10)} ${middle(key).toFixed(0)} ms; target ${target} ms: ${
+          middle(key) <= target ? "met" : "missed"
+        }`,
       );
     console.log(`  layout shift     ${middle("shift").toFixed(4)}`);
     console.log(`  until the plan   ${middle("requests")} requests, ${(middle("bytes") / 1000).toFixed(0)} kB`);

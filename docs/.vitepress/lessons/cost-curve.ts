@@ -36,5 +36,10 @@ export function costCurve(state: MetricState, lang: Lang): string {
   );
   const axis = `M${LEFT} ${TOP}v${HIGH}h${WIDE}`;
   const curve = points.length > 1 ? `<path class="lab-curve" d="M${points.join("L")}"/>` : "";
-  return `<g class="lab-plot"><rect x="${LEFT - 38}" y="${TOP - 8}" width="${WIDE + 46}" height="${HIGH + 32}"/><path d="${axis}"/>${curve}<text x="${LEFT + WIDE / 2}" y="${TOP + HIGH + 17}">${word("distance", lang)}</text><text x="${LEFT - 19}" y="${TOP + 10}">${word("cost", lang)}</text></g>`;
+  return (
+    `<g class="lab-plot"><rect ` +
+    `x="${LEFT - 38}" y="${TOP - 8}" width="${WIDE + 46}" height="${HIGH + 32}"/><path d="${axis}"/>${curve}` +
+    `<text x="${LEFT + WIDE / 2}" y="${TOP + HIGH + 17}">${word("distance", lang)}</text>` +
+    `<text x="${LEFT - 19}" y="${TOP + 10}">${word("cost", lang)}</text></g>`
+  );
 }

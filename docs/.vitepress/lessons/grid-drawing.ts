@@ -28,7 +28,9 @@ const squares = (view: View, cells: readonly number[], kind: string, inset = 0.5
   const path = cells
     .map(
       (cell) =>
-        `M${px(columnOf(view, cell) * view.side + inset)} ${px(rowOf(view, cell) * view.side + inset)}h${size}v${size}h-${size}z`,
+        `M${px(
+          columnOf(view, cell) * view.side + inset,
+        )} ${px(rowOf(view, cell) * view.side + inset)}h${size}v${size}h-${size}z`,
     )
     .join("");
   return path ? `<path class="${kind}" d="${path}"/>` : "";
@@ -43,7 +45,11 @@ function lines({ map, side, height }: View): string {
 function end(view: View, cell: number, letter: "S" | "G"): string {
   const x = px((columnOf(view, cell) + 0.5) * view.side),
     y = px((rowOf(view, cell) + 0.5) * view.side);
-  return `<g class="lab-end"><circle cx="${x}" cy="${y}" r="${px(view.side * 0.48)}"/><text x="${x}" y="${y}" dy="0.36em" font-size="${px(view.side * 0.62)}">${letter}</text></g>`;
+  return (
+    `<g class="lab-end"><circle ` +
+    `cx="${x}" cy="${y}" r="${px(view.side * 0.48)}"/><text x="${x}" y="${y}" dy="0.36em" ` +
+    `font-size="${px(view.side * 0.62)}">${letter}</text></g>`
+  );
 }
 
 /** What is inside the `<svg>`. */
@@ -104,7 +110,10 @@ function stages(view: View, { plans, chosen, stage }: GridState): string {
   const arcs = steps.arcs.map(({ from, to, center, radius }) => {
     const left = (from[0] - center[0]) * (to[1] - center[1]) - (from[1] - center[1]) * (to[0] - center[0]) > 0;
     const r = px(radius * view.side);
-    return `${dot(view, center[0], center[1], radius * view.side, "lab-circle")}<path class="lab-arc" d="M${at(view, ...from)}A${r} ${r} 0 0 ${left ? 0 : 1} ${at(view, ...to)}"/>`;
+    return (
+      `${dot(view, center[0], center[1], radius * view.side, "lab-circle")}<path class="lab-arc" ` +
+      `d="M${at(view, ...from)}A${r} ${r} 0 0 ${left ? 0 : 1} ${at(view, ...to)}"/>`
+    );
   });
   const sharp = steps.sharp.map(([x, y]) => dot(view, x, y, 6, "lab-sharp"));
   return raw + pruned + arcs.join("") + sharp.join("");
@@ -130,7 +139,8 @@ function force(view: View, { picked, explanation, map }: GridState): string {
       tip: [number, number] = [x + ux * reach, y + uy * reach];
     const barb = (side: number): string =>
       at(view, tip[0] - 0.45 * ux + side * 0.28 * uy, tip[1] - 0.45 * uy - side * 0.28 * ux);
-    return `<path class="${kind}" d="M${at(view, x, y)}L${at(view, ...tip)}M${barb(1)}L${at(view, ...tip)}L${barb(-1)}"/>`;
+    const end = at(view, ...tip);
+    return `<path class="${kind}" d="M${at(view, x, y)}L${end}M${barb(1)}L${end}L${barb(-1)}"/>`;
   };
   return [
     squares(view, by("held-back", true), "lab-held", 2),

@@ -12,18 +12,29 @@ export function controlsOf(state: GridState, lang: Lang): string {
   const { figure } = state;
   const choices =
     figure.choices.length > 1
-      ? `<span class="lab-choices">${figure.choices.map(({ key, title }) => button("choice", key, said(title, lang), key === state.chosen)).join("")}</span>`
+      ? `<span class="lab-choices">${figure.choices
+          .map(({ key, title }) => button("choice", key, said(title, lang), key === state.chosen))
+          .join("")}</span>`
       : "";
   const stages =
     figure.view === "stages"
-      ? `<span class="lab-choices">${(["raw", "pruned", "arcs"] as const).map((key) => button("stage", key, word(key, lang), key === state.stage)).join("")}</span>`
+      ? `<span class="lab-choices">${(["raw", "pruned", "arcs"] as const)
+          .map((key) => button("stage", key, word(key, lang), key === state.stage))
+          .join("")}</span>`
       : "";
   const { slider } = figure;
-  const search = `<label>${word("search", lang)} <input type="range" data-share min="0" max="1" step="any" value="${state.share}"></label>`;
+  const search =
+    `<label>${word("search", lang)} <input type="range" data-share min="0" max="1" step="any" ` +
+    `value="${state.share}"></label>`;
   const own = slider
-    ? `<label>${escaped(said(slider.title, lang))} <input type="range" data-value min="${slider.min}" max="${slider.max}" step="${slider.step}" value="${state.value}"> <output>${state.value}</output></label>`
+    ? `<label>${escaped(said(slider.title, lang))} <input type="range" data-value ` +
+      `min="${slider.min}" max="${slider.max}" step="${slider.step}" value="${state.value}"> ` +
+      `<output>${state.value}</output></label>`
     : "";
-  return `${choices}${stages}${figure.view === "search" ? search : ""}${own}<button type="button" data-reset>${word("reset", lang)}</button>`;
+  return (
+    `${choices}${stages}${figure.view === "search" ? search : ""}${own}<button type="button" ` +
+    `data-reset>${word("reset", lang)}</button>`
+  );
 }
 
 const number = (value: number): string => value.toFixed(2);
@@ -40,7 +51,9 @@ export function readoutOf(state: GridState, lang: Lang): string {
       state.figure.view === "stages" && stages
         ? word("corners", lang, stages.pruned.length - 2, stages.arcs.length, stages.sharp.length)
         : word("cells", lang, plan.stats.expanded);
-    return `<span${key === state.chosen ? ' class="lab-chosen"' : ""}><b>${escaped(said(title, lang))}</b> ${rest} · ${length}</span>`;
+    return `<span${
+      key === state.chosen ? ' class="lab-chosen"' : ""
+    }><b>${escaped(said(title, lang))}</b> ${rest} · ${length}</span>`;
   });
   if (state.share < 1) {
     const all = expandedOf(state, 1).length;
@@ -54,7 +67,12 @@ function picked({ picked: cell, map, costs, explanation, figure }: GridState, la
   if (map.walls[cell!]) return word("wall", lang, name);
   if (figure.view === "force")
     return explanation
-      ? `${word("force", lang, ...explanation.force.map(number))} · ${word("region", lang, explanation.region, ARROWS[explanation.center]!)}`
+      ? `${word("force", lang, ...explanation.force.map(number))} · ${word(
+          "region",
+          lang,
+          explanation.region,
+          ARROWS[explanation.center]!,
+        )}`
       : "";
   if (!costs) return word("unreachable", lang, name);
   return word("cell", lang, name, number(costs.g), number(costs.h), number(costs.g + costs.h));

@@ -50,5 +50,10 @@ function figureHtml(md: MarkdownRenderer, attributes: string, lang: Lang): strin
   const task = md.renderInline(attribute(attributes, "task")),
     answer = md.renderInline(attribute(attributes, "answer"));
   const still = stillOf(figure, engine, lang);
-  return `<figure class="lab" data-lab="${id}" data-lang="${lang}"><figcaption>${task}</figcaption>${still}<div class="lab-answer" role="status"><p class="lab-todo">${escaped(word("todo", lang))}</p><p class="lab-told">${answer}</p></div></figure>\n`;
+  return (
+    `<figure class="lab" ` +
+    `data-lab="${id}" data-lang="${lang}"><figcaption>${task}</figcaption>${still}<div class="lab-answer" ` +
+    `role="status"><p ` +
+    `class="lab-todo">${escaped(word("todo", lang))}</p><p class="lab-told">${answer}</p></div></figure>\n`
+  );
 }

@@ -137,7 +137,11 @@ function arc(state: MetricState, scale: Scale): string {
   const turning =
     Math.abs(curvature) < 1e-6
       ? ""
-      : `<circle class="lab-turning" cx="${at(scale, [x - Math.sin(heading) / curvature, y + Math.cos(heading) / curvature]).replace(" ", '" cy="')}" r="${px(scale.metre / Math.abs(curvature))}"/>`;
+      : `<circle class="lab-turning" ` +
+        `cx="${at(scale, [x - Math.sin(heading) / curvature, y + Math.cos(heading) / curvature]).replace(
+          " ",
+          '" cy="',
+        )}" r="${px(scale.metre / Math.abs(curvature))}"/>`;
   const bodies = poses.filter((_, i) => i % 20 === 0).map((pose) => shape(scale, bodyOf(state, pose), "lab-swept"));
   return (
     turning +

@@ -7,11 +7,19 @@ export function metricControls(state: MetricState, lang: Lang): string {
   const { choices = [], sliders = [] } = state.figure;
   const buttons =
     choices.length > 1
-      ? `<span class="lab-choices">${choices.map(({ key, title }) => `<button type="button" data-choice="${key}" aria-pressed="${key === state.chosen}">${escaped(said(title, lang))}</button>`).join("")}</span>`
+      ? `<span class="lab-choices">${choices
+          .map(
+            ({ key, title }) =>
+              `<button type="button" ` +
+              `data-choice="${key}" aria-pressed="${key === state.chosen}">${escaped(said(title, lang))}</button>`,
+          )
+          .join("")}</span>`
       : "";
   const labels = sliders.map(
     ({ setting, min, max, step, title }) =>
-      `<label>${escaped(said(title, lang))} <input type="range" data-value="${setting}" min="${min}" max="${max}" step="${step}" value="${state.values[setting]}"> <output>${state.values[setting]}</output></label>`,
+      `<label>${escaped(said(title, lang))} <input type="range" ` +
+      `data-value="${setting}" min="${min}" max="${max}" step="${step}" value="${state.values[setting]}"> ` +
+      `<output>${state.values[setting]}</output></label>`,
   );
   return `${buttons}${labels.join("")}<button type="button" data-reset>${word("reset", lang)}</button>`;
 }
@@ -29,7 +37,12 @@ function planLines({ figure, plans, chosen }: MetricState, lang: Lang): string[]
     const name = `<b>${escaped(said(title, lang))}</b>`;
     if (plan.outcome !== "found") return `${name} ${word("noPath", lang)}`;
     const { length, directionChanges, minClearance } = plan.metrics;
-    const line = `${name} ${word("driven", lang, number(length), directionChanges)} · ${word("clearance", lang, number(minClearance))} · ${word("poses", lang, plan.stats.expanded)}`;
+    const line = `${name} ${word(
+      "driven",
+      lang,
+      number(length),
+      directionChanges,
+    )} · ${word("clearance", lang, number(minClearance))} · ${word("poses", lang, plan.stats.expanded)}`;
     return key === chosen ? `<i class="lab-chosen">${line}</i>` : line;
   });
 }
@@ -41,7 +54,12 @@ function ownLines(state: MetricState, lang: Lang): string[] {
     const curve = curveOf(state);
     if (!curve) return [];
     return [
-      `${word("curve", lang, state.curves.indexOf(curve) + 1, state.curves.length)} <b>${curve.word}</b> · ${word("driven", lang, number(curve.length), curve.directionChanges)}`,
+      `${word(
+        "curve",
+        lang,
+        state.curves.indexOf(curve) + 1,
+        state.curves.length,
+      )} <b>${curve.word}</b> · ${word("driven", lang, number(curve.length), curve.directionChanges)}`,
     ];
   }
   if (!check) return [];

@@ -19,7 +19,12 @@ interface Still {
 export function stillOf(figure: Figure, engine: Engine, lang: Lang): string {
   const { height, label, drawing, controls, readout } =
     figure.kind === "grid" ? grid(figure, engine, lang) : metric(figure, engine, lang);
-  return `<svg class="lab-stage" viewBox="0 0 ${WIDTH} ${height}" role="application" aria-label="${escaped(label)}">${drawing}</svg><div class="lab-controls">${controls}</div><p class="lab-readout">${readout}</p>`;
+  return (
+    `<svg class="lab-stage" viewBox="0 ` +
+    `0 ${WIDTH} ${height}" role="application" ` +
+    `aria-label="${escaped(label)}">${drawing}</svg><div ` +
+    `class="lab-controls">${controls}</div><p class="lab-readout">${readout}</p>`
+  );
 }
 
 function grid(figure: GridFigure, engine: Engine, lang: Lang): Still {

@@ -16,14 +16,16 @@ export const WORDS = {
   wall: ["Cell {0} is a wall", "栅格 {0} 是障碍"],
   unreachable: ["Cell {0} cannot be reached", "栅格 {0} 不可到达"],
   grid: [
-    "Map of {0} × {1} cells. Drag on empty cells to draw walls, on walls to erase them, and S or G to move them. Keys: the arrows move the cursor, Space draws or erases, S and G move the ends here, Enter picks the cell.",
+    "Map of {0} × {1} cells. Drag on empty cells to draw walls, on walls to erase them, and S or G to move them. " +
+      "Keys: the arrows move the cursor, Space draws or erases, S and G move the ends here, Enter picks the cell.",
     "{0} × {1} 栅格地图。在空格上拖动可画障碍，在障碍上拖动可擦除，S 与 G 可拖动。键盘：方向键移动光标，空格画或擦，S、G 把端点移到此处，回车选取栅格。",
   ],
   failed: ["The planners could not be loaded. Reload the page to try again.", "规划器未能加载，请刷新页面重试。"],
   region: ["region {0}, direction {1}", "区域 {0}，方向 {1}"],
   force: ["force ({0}, {1})", "合力（{0}，{1}）"],
   cars: [
-    "A car on a map in metres. Drag it to move it, its nose to turn it. Keys: the arrows move it, [ and ] turn it, Enter takes the other car.",
+    "A car on a map in metres. Drag it to move it, its nose to turn it. Keys: the arrows move it, [ and ] turn it, " +
+      "Enter takes the other car.",
     "以米为单位的地图上的车辆。拖动可移动，拖动车头可转向。键盘：方向键移动，[ 与 ] 转向，回车换另一辆车。",
   ],
   driven: ["{0} m, gear changes: {1}", "{0} m，换挡 {1} 次"],

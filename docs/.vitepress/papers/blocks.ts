@@ -95,9 +95,15 @@ export function html(blocks: readonly Block[], picture: (figure: Figure) => stri
         case "list":
           return `<ul>${block.items.map((item) => `<li>${inline(item)}</li>`).join("")}</ul>`;
         case "table":
-          return `<table><thead><tr>${block.head.map((one) => `<th>${inline(one)}</th>`).join("")}</tr></thead><tbody>${block.rows.map((row) => `<tr>${row.map((one) => `<td>${inline(one)}</td>`).join("")}</tr>`).join("")}</tbody></table>`;
+          return `<table><thead><tr>${block.head
+            .map((one) => `<th>${inline(one)}</th>`)
+            .join("")}</tr></thead><tbody>${block.rows
+            .map((row) => `<tr>${row.map((one) => `<td>${inline(one)}</td>`).join("")}</tr>`)
+            .join("")}</tbody></table>`;
         case "figure":
-          return `<figure id="${prefix}${block.figure.id}">${picture(block.figure)}<figcaption>${inline(block.figure.caption)}${block.figure.printed ? `<br>${inline(block.figure.printed)}` : ""}</figcaption></figure>`;
+          return `<figure id="${prefix}${block.figure.id}">${picture(block.figure)}<figcaption>${inline(
+            block.figure.caption,
+          )}${block.figure.printed ? `<br>${inline(block.figure.printed)}` : ""}</figcaption></figure>`;
       }
     })
     .join("\n");

@@ -52,7 +52,10 @@ export function comparisonBlocks(lang: Lang, { compared, claims, sweeps, bands }
     heading(2, t("Against other algorithms (4.4.2)", "与其他算法对比（4.4.2）")),
     text(
       t(
-        "The manuscript compares in words and prints no figure. Here each algorithm plans the same scenes with half the car's width kept free; RRT and the genetic algorithm with five seeds each: the median, and in brackets the least and the largest. Every path goes through the independent check, which looks at all of it; the hits of 1000 drives leave out 5 m at either end.",
+        "The manuscript compares in words and prints no figure. Here each algorithm plans the same scenes with half " +
+          "the car's width kept free; RRT and the genetic algorithm with five seeds each: the median, and in " +
+          "brackets the least and the largest. Every path goes through the independent check, which looks at all of " +
+          "it; the hits of 1000 drives leave out 5 m at either end.",
         "手稿仅以文字比较，没有数据。此处各算法规划相同的场景，均保留半个车宽；RRT 与遗传算法各用五个种子，给出中位数，括号内为最小与最大值。每条路径都经过覆盖全程的独立校验；千次行驶的碰撞不计两端各 5 m。",
       ),
     ),
@@ -82,7 +85,9 @@ export function comparisonBlocks(lang: Lang, { compared, claims, sweeps, bands }
     heading(2, t("Sensitivity (4.5, 5.2.2)", "参数敏感性（4.5、5.2.2）")),
     text(
       t(
-        "One setting of the cost map at a time. Its best ranges, K from 4000 to 6000 and ε from 0.5 to 2, are in units that the manuscript does not name and fit no formula of it in metres, so its percentages are what can be held against ours.",
+        "One setting of the cost map at a time. Its best ranges, K from 4000 to 6000 and ε from 0.5 to 2, are in " +
+          "units that the manuscript does not name and fit no formula of it in metres, so its percentages are what " +
+          "can be held against ours.",
         "每次只改变代价地图的一个参数。手稿给出的最优范围（K 为 4000–6000，ε 为 0.5–2）单位不明，与其以米为单位的公式不符，因此只能比较百分比。",
       ),
     ),
@@ -105,7 +110,8 @@ export function comparisonBlocks(lang: Lang, { compared, claims, sweeps, bands }
         planners: [],
         svg: bandPicture(scenario(scene), band, scene, 10),
         caption: t(
-          `${scene}: in all drives with random offsets the car's middle stays in the dark band, its body in the light one; grey is beside the road or an obstacle; ten times as large across as along`,
+          `${scene}: in all drives with random offsets the car's middle stays in the dark band, its body in the ` +
+            `light one; grey is beside the road or an obstacle; ten times as large across as along`,
           `${scene}：在随机偏离路径的所有行驶中，车辆中心在深色带内，车身在浅色带内；灰色为路外或障碍物；横向比例为纵向的十倍`,
         ),
       }),

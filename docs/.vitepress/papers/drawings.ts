@@ -3,7 +3,9 @@ import type { Explanation } from "parkade";
 import { Planner, scenario } from "../../../pkg/node.js";
 
 const opened = (width: number, height: number): string =>
-  `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img" font-family="system-ui, sans-serif" font-size="14">`;
+  `<svg xmlns="http://www.w3.org/2000/svg" ` +
+  `width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img" font-family="system-ui, ` +
+  `sans-serif" font-size="14">`;
 
 /** Sectors around a cell, by the slopes at which they end, and the name of each, from the east to the left. */
 function sectors(middle: number, radius: number, ends: readonly number[], names: readonly string[]): string {
@@ -14,7 +16,10 @@ function sectors(middle: number, radius: number, ends: readonly number[], names:
       const end = ends[i]!,
         inside = (end + (ends[(i + names.length - 1) % names.length]! - (i === 0 ? 2 * Math.PI : 0))) / 2;
       const [x, y] = at(inside, radius * 0.72).split(" ");
-      return `<path d="M${at(0, 0)}L${at(end, radius)}" stroke="#64696F" stroke-dasharray="4 3"/><text x="${x}" y="${Number(y) + 5}" text-anchor="middle" font-weight="600">${name}</text>`;
+      return (
+        `<path d="M${at(0, 0)}L${at(end, radius)}" stroke="#64696F" stroke-dasharray="4 3"/><text ` +
+        `x="${x}" y="${Number(y) + 5}" text-anchor="middle" font-weight="600">${name}</text>`
+      );
     })
     .join("");
 }
@@ -28,7 +33,19 @@ export function regionsPicture(): string {
   const straight = Array.from({ length: 4 }, (_, i) => quarter + 2 * i * quarter);
   const frame = (middle: number): string =>
     `<circle cx="${middle}" cy="${radius + 12}" r="${radius}" fill="#F4F5F3" stroke="#3F444B"/>`;
-  return `${opened(540, 290)}${frame(135)}${sectors(135, radius, oblique, ["1", "2", "3", "4", "5", "6", "7", "8"])}${frame(405)}${sectors(405, radius, straight, ["A", "B", "C", "D"])}<g text-anchor="middle" font-size="12" fill="#3F444B"><text x="135" y="275">k = ±1/3, ±3</text><text x="405" y="275">k = ±1</text></g></svg>`;
+  return (
+    `${opened(540, 290)}${frame(135)}${sectors(135, radius, oblique, [
+      "1",
+      "2",
+      "3",
+      "4",
+      "5",
+      "6",
+      "7",
+      "8",
+    ])}${frame(405)}${sectors(405, radius, straight, ["A", "B", "C", "D"])}<g text-anchor="middle" font-size="12" ` +
+    `fill="#3F444B"><text x="135" y="275">k = ±1/3, ±3</text><text x="405" y="275">k = ±1</text></g></svg>`
+  );
 }
 
 /** Figure 4: the cells that the planner itself tries around one, all of them free: three, and those beyond them. */
@@ -49,7 +66,9 @@ export function expansionPicture(): string {
     const found = open(region),
       left = 10 + i * (5 * side + 20);
     const box = (x: number, y: number, fill: string, mark: string): string =>
-      `<rect x="${left + x * side}" y="${10 + (4 - y) * side}" width="${side}" height="${side}" fill="${fill}" stroke="#8A8F96"/><text x="${left + (x + 0.5) * side}" y="${10 + (4.5 - y) * side + 5}" text-anchor="middle">${mark}</text>`;
+      `<rect x="${left + x * side}" y="${10 + (4 - y) * side}" width="${side}" height="${side}" fill="${fill}" ` +
+      `stroke="#8A8F96"/><text x="${left + (x + 0.5) * side}" y="${10 + (4.5 - y) * side + 5}" ` +
+      `text-anchor="middle">${mark}</text>`;
     const grid = Array.from({ length: 25 }, (_, k) => box(k % 5, Math.floor(k / 5), "#fff", ""));
     const cells = tried(found).map(({ cell, role }) =>
       box(
@@ -59,7 +78,10 @@ export function expansionPicture(): string {
         role === "primary" ? "" : "+",
       ),
     );
-    return `${grid.join("")}${cells.join("")}${box(2, 2, "#1B1D20", "")}<text x="${left + 2.5 * side}" y="${5 * side + 30}" text-anchor="middle" font-weight="600">${region}</text>`;
+    return (
+      `${grid.join("")}${cells.join("")}${box(2, 2, "#1B1D20", "")}<text x="${left + 2.5 * side}" ` +
+      `y="${5 * side + 30}" text-anchor="middle" font-weight="600">${region}</text>`
+    );
   };
   try {
     return `${opened(3 * 190 + 10, 5 * side + 40)}${["1", "2", "A"].map(panel).join("")}</svg>`;
@@ -83,9 +105,15 @@ export function steeringPicture(): string {
       share === 0
         ? `L${end}`
         : `A${(radius * scale).toFixed(1)} ${(radius * scale).toFixed(1)} 0 0 ${share * gear > 0 ? 0 : 1} ${end}`;
-    return `<path d="M150 100${way}" fill="none" stroke="${gear > 0 ? "#0072B2" : "#D55E00"}" stroke-width="2"/><circle cx="${end.split(" ")[0]}" cy="${end.split(" ")[1]}" r="3.5" fill="${gear > 0 ? "#0072B2" : "#D55E00"}"/>`;
+    return (
+      `<path d="M150 100${way}" fill="none" ` +
+      `stroke="${gear > 0 ? "#0072B2" : "#D55E00"}" stroke-width="2"/><circle ` +
+      `cx="${end.split(" ")[0]}" cy="${end.split(" ")[1]}" r="3.5" fill="${gear > 0 ? "#0072B2" : "#D55E00"}"/>`
+    );
   };
-  return `${opened(300, 200)}${([1, -1] as const).flatMap((gear) => [-1, -0.5, 0, 0.5, 1].map((share) => arc(share, gear))).join("")}<circle cx="150" cy="100" r="4.5" fill="#1B1D20"/></svg>`;
+  return `${opened(300, 200)}${([1, -1] as const)
+    .flatMap((gear) => [-1, -0.5, 0, 0.5, 1].map((share) => arc(share, gear)))
+    .join("")}<circle cx="150" cy="100" r="4.5" fill="#1B1D20"/></svg>`;
 }
 
 /** Figure 4: the volumes around a car that stands at 25°. */
@@ -94,7 +122,15 @@ export function volumesPicture(): string {
     [a, b] = [2.75, 1.3];
   const x = a * Math.cos(turn) + b * Math.sin(turn),
     y = a * Math.sin(turn) + b * Math.cos(turn);
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="320" height="320" viewBox="-3.4 -3.4 6.8 6.8" role="img"><circle r="${Math.hypot(a, b)}" fill="none" stroke="#CC79A7" stroke-width="0.05" stroke-dasharray="0.05 0.12" stroke-linecap="round"/><rect x="${-x}" y="${-y}" width="${2 * x}" height="${2 * y}" fill="none" stroke="#D55E00" stroke-width="0.05" stroke-dasharray="0.25 0.12"/><rect transform="rotate(-25)" x="${-a}" y="${-b}" width="${2 * a}" height="${2 * b}" fill="#1B1D20" fill-opacity="0.12" stroke="#0072B2" stroke-width="0.07"/></svg>`;
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" width="320" height="320" viewBox="-3.4 -3.4 6.8 6.8" ` +
+    `role="img"><circle r="${Math.hypot(a, b)}" fill="none" stroke="#CC79A7" stroke-width="0.05" ` +
+    `stroke-dasharray="0.05 0.12" stroke-linecap="round"/><rect ` +
+    `x="${-x}" y="${-y}" width="${2 * x}" height="${2 * y}" fill="none" stroke="#D55E00" stroke-width="0.05" ` +
+    `stroke-dasharray="0.25 0.12"/><rect transform="rotate(-25)" ` +
+    `x="${-a}" y="${-b}" width="${2 * a}" height="${2 * b}" fill="#1B1D20" fill-opacity="0.12" stroke="#0072B2" ` +
+    `stroke-width="0.07"/></svg>`
+  );
 }
 
 /** Layers below each other, each a name over a row of boxes, joined by arrows. */
@@ -108,10 +144,22 @@ export function layersPicture(layers: readonly (readonly [name: string, ...boxes
     const y = 8 + i * (tall + gap),
       wide = (width - 32) / boxes.length;
     const box = (words: string, at: number): string =>
-      `<rect x="${(16 + at * wide + 4).toFixed(1)}" y="${y + 28}" width="${(wide - 8).toFixed(1)}" height="36" rx="4" fill="#fff" stroke="#8A8F96"/><text x="${(16 + (at + 0.5) * wide).toFixed(1)}" y="${y + 50}" text-anchor="middle">${escaped(words)}</text>`;
-    return `<rect x="8" y="${y}" width="${width - 16}" height="${tall}" rx="6" fill="#F4F5F3" stroke="#3F444B"/><text x="${width / 2}" y="${y + 19}" text-anchor="middle" font-weight="600">${escaped(name)}</text>${boxes.map(box).join("")}${i > 0 ? `<path d="M${width / 2} ${y - gap}V${y - 3}m-4 -5l4 5l4 -5" fill="none" stroke="#3F444B"/>` : ""}`;
+      `<rect x="${(16 + at * wide + 4).toFixed(1)}" y="${y + 28}" width="${(wide - 8).toFixed(1)}" height="36" ` +
+      `rx="4" fill="#fff" stroke="#8A8F96"/><text ` +
+      `x="${(16 + (at + 0.5) * wide).toFixed(1)}" y="${y + 50}" text-anchor="middle">${escaped(words)}</text>`;
+    return (
+      `<rect x="8" y="${y}" width="${width - 16}" height="${tall}" rx="6" fill="#F4F5F3" ` +
+      `stroke="#3F444B"/><text x="${width / 2}" y="${y + 19}" text-anchor="middle" ` +
+      `font-weight="600">${escaped(name)}</text>${boxes.map(box).join("")}${
+        i > 0 ? `<path d="M${width / 2} ${y - gap}V${y - 3}m-4 -5l4 5l4 -5" fill="none" stroke="#3F444B"/>` : ""
+      }`
+    );
   };
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img" font-family="system-ui, sans-serif" font-size="12">${layers.map(layer).join("")}</svg>`;
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" ` +
+    `width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img" font-family="system-ui, ` +
+    `sans-serif" font-size="12">${layers.map(layer).join("")}</svg>`
+  );
 }
 
 /** Boxes below each other, joined by arrows; after box `last` the way leads back to box `first`. */
@@ -122,8 +170,19 @@ export function flowPicture(steps: readonly string[], { first, last }: { first: 
     edge = 44;
   const top = (i: number): number => 8 + i * (tall + gap);
   const box = (step: string, i: number): string =>
-    `<rect x="${edge}" y="${top(i)}" width="${width - edge - 20}" height="${tall}" rx="6" fill="#fff" stroke="#3F444B"/><text x="${(width + edge - 20) / 2}" y="${top(i) + 27}" text-anchor="middle">${step.replaceAll("&", "&amp;").replaceAll("<", "&lt;")}</text>${i > 0 && i !== last + 1 ? `<path d="M${(width + edge - 20) / 2} ${top(i) - gap}V${top(i) - 3}m-4 -5l4 5l4 -5" fill="none" stroke="#3F444B"/>` : ""}`;
-  const back = `<path d="M${edge} ${top(last) + tall / 2}H18V${top(first) + tall / 2}H${edge - 3}m-5 -4l5 4l-5 4" fill="none" stroke="#3F444B"/>`;
+    `<rect x="${edge}" y="${top(i)}" width="${width - edge - 20}" height="${tall}" rx="6" fill="#fff" ` +
+    `stroke="#3F444B"/><text ` +
+    `x="${(width + edge - 20) / 2}" y="${top(i) + 27}" text-anchor="middle">${step
+      .replaceAll("&", "&amp;")
+      .replaceAll("<", "&lt;")}</text>${
+      i > 0 && i !== last + 1
+        ? `<path d="M${(width + edge - 20) / 2} ${top(i) - gap}V${top(i) - 3}m-4 -5l4 5l4 -5" fill="none" ` +
+          `stroke="#3F444B"/>`
+        : ""
+    }`;
+  const back =
+    `<path d="M${edge} ${top(last) + tall / 2}H18V${top(first) + tall / 2}H${edge - 3}m-5 -4l5 4l-5 4" ` +
+    `fill="none" stroke="#3F444B"/>`;
   return `${opened(width, top(steps.length))}${steps.map(box).join("")}${back}</svg>`;
 }
 
@@ -131,7 +190,9 @@ export function flowPicture(steps: readonly string[], { first, last }: { first: 
 function carView(heading: number, origin: readonly [number, number], scale: number) {
   const [sin, cos] = [Math.sin(heading), Math.cos(heading)];
   const at = ([ahead, left]: readonly [number, number]): string =>
-    `${(origin[0] + scale * (ahead * cos - left * sin)).toFixed(1)} ${(origin[1] - scale * (ahead * sin + left * cos)).toFixed(1)}`;
+    `${(origin[0] + scale * (ahead * cos - left * sin)).toFixed(
+      1,
+    )} ${(origin[1] - scale * (ahead * sin + left * cos)).toFixed(1)}`;
   const line = (points: readonly (readonly [number, number])[], style: string): string =>
     `<path d="M${points.map(at).join("L")}" fill="none" ${style}/>`;
   const text = (words: string, place: readonly [number, number]): string => {

@@ -42,8 +42,13 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
       ),
       text(
         t(
-          `Straight line ${fixed(straight)} cells. Scene: \`${scene}\`. Taken literally the risk field is stranded on ${stranded[id]!.length} of 200 maps (seeds ${stranded[id]!.slice(0, 6).join(", ")}${stranded[id]!.length > 6 ? ", …" : ""}).`,
-          `直线距离 ${fixed(straight)} 格。场景：\`${scene}\`。照字面执行时，200 张地图中有 ${stranded[id]!.length} 张找不到路径（种子 ${stranded[id]!.slice(0, 6).join("、")}${stranded[id]!.length > 6 ? " 等" : ""}）。`,
+          `Straight line ${fixed(straight)} cells. Scene: \`${scene}\`. Taken literally the risk field is stranded ` +
+            `on ${stranded[id]!.length} of 200 maps (seeds ${stranded[id]!.slice(0, 6).join(", ")}${
+              stranded[id]!.length > 6 ? ", …" : ""
+            }).`,
+          `直线距离 ${fixed(straight)} 格。场景：\`${scene}\`。照字面执行时，200 张地图中有 ${stranded[id]!.length} 张找不到路径（种子 ${stranded[
+            id
+          ]!.slice(0, 6).join("、")}${stranded[id]!.length > 6 ? " 等" : ""}）。`,
         ),
       ),
       table(
@@ -89,8 +94,12 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
           `图 ${scene[3]}，${size} × ${size}，含安全空间`,
         ),
         printed: t(
-          "Printed: the map with a blue circle at the start, a red one at the goal, black circles at the points that pruning keeps, the path in blue, what smoothing changes in green. Here the same, with the paths of four (dotted) and eight neighbours (dashed), the necessary safety space in orange and the redundant one in violet. The map is ours: the paper's is not published.",
-          "论文：地图上蓝圈为起点，红圈为终点，黑圈为剔除冗余点后保留的点，蓝线为路径，绿色为平滑的部分。此处相同，另有四邻域（点线）与八邻域（虚线）路径，橙色为必要安全空间，紫色为冗余安全空间。论文未公布地图，此图为本项目生成。",
+          "Printed: the map with a blue circle at the start, a red one at the goal, black circles at the points " +
+            "that pruning keeps, the path in blue, what smoothing changes in green. Here the same, with the paths " +
+            "of four (dotted) and eight neighbours (dashed), the necessary safety space in orange and the redundant " +
+            "one in violet. The map is ours: the paper's is not published.",
+          "论文：地图上蓝圈为起点，红圈为终点，黑圈为剔除冗余点后保留的点，蓝线为路径，绿色为平滑的部分。此处相同，另有四邻域（点线）与八邻域（虚线）路径，橙色为必要安全空间，紫色为冗余安全空间。" +
+            "论文未公布地图，此图为本项目生成。",
         ),
       }),
     ];
@@ -102,8 +111,11 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
       heading(1, title),
       text(
         t(
-          `Hu et al. 2024 pick three of eight directions per cell by a potential field. Their maps are not published: each row here is ${seeds} seeded maps of the same kind and size, each figure a median; \`cargo xtask paper grid\` takes 200 and adds spreads and times.`,
-          `Hu 等（2024）用势场在八个方向中选三个。论文未公布地图：此处每行为 ${seeds} 张同类同尺寸的种子地图，数值为中位数；\`cargo xtask paper grid\` 使用 200 张，并给出分布与时间。`,
+          `Hu et al. 2024 pick three of eight directions per cell by a potential field. Their maps are not ` +
+            `published: each row here is ${seeds} seeded maps of the same kind and size, each figure a median; ` +
+            `\`cargo xtask paper grid\` takes 200 and adds spreads and times.`,
+          `Hu 等（2024）用势场在八个方向中选三个。论文未公布地图：此处每行为 ${seeds} 张同类同尺寸的种子地图，数值为中位数；\`cargo xtask paper grid\` 使用 200 ` +
+            `张，并给出分布与时间。`,
         ),
       ),
       heading(2, t("What it claims", "论断")),
@@ -138,7 +150,8 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
         ),
         caption: t("Figure 2: A*, as the timeline steps through it", "图 2：A* 流程，时间轴逐步播放"),
         printed: t(
-          "Printed: a flow chart of A* in the usual form. Here the same steps in the order in which this search takes them; on the page the timeline shows each on the map.",
+          "Printed: a flow chart of A* in the usual form. Here the same steps in the order in which this search " +
+            "takes them; on the page the timeline shows each on the map.",
           "论文：常见形式的 A* 流程图。此处为相同步骤，按本搜索的执行顺序排列；页面时间轴在地图上逐步显示。",
         ),
       }),
@@ -152,7 +165,9 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
           "图 1：必要安全空间（橙）与冗余安全空间（紫）",
         ),
         printed: t(
-          "Printed: (a) obstacles grown by the car's body, drawn as a yellow box; (b) narrow passages and traps filled. Here both on one map, as the planner takes them: half the car's width and a margin of 0.2 cells, passages of fewer than two cells and pockets with a mouth of up to five.",
+          "Printed: (a) obstacles grown by the car's body, drawn as a yellow box; (b) narrow passages and traps " +
+            "filled. Here both on one map, as the planner takes them: half the car's width and a margin of 0.2 " +
+            "cells, passages of fewer than two cells and pockets with a mouth of up to five.",
           "论文：(a) 按车身（黄色方框）膨胀障碍物；(b) 填补狭窄通道与陷阱。此处二者在同一地图上，即规划器实际所用：半个车宽加 0.2 格余量，窄于两格的通道，以及开口不超过五格的陷阱。",
         ),
       }),
@@ -163,7 +178,8 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
         draws: "potential",
         caption: t("Equations 4 and 6: lines of equal potential U", "式 4 与式 6：等势线 U"),
         printed: t(
-          "The paper prints the formulas without a picture. Lines stand evenly in the square root of U; they bend around obstacles.",
+          "The paper prints the formulas without a picture. Lines stand evenly in the square root of U; they bend " +
+            "around obstacles.",
           "论文只有公式，没有插图。等势线按 U 的平方根等间隔绘制，在障碍物附近弯曲。",
         ),
       }),
@@ -177,7 +193,8 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
           "图 3：合力方向的区域，斜向（1–8）与横纵向（A–D）",
         ),
         printed: t(
-          "Printed: the numbered directions around a cell for both modes. Here the sectors of tables 1 and 2 with the slopes that divide them; hovering over a cell on the page draws its own.",
+          "Printed: the numbered directions around a cell for both modes. Here the sectors of tables 1 and 2 with " +
+            "the slopes that divide them; hovering over a cell on the page draws its own.",
           "论文：两种模式下某格周围编号的方向。此处为表 1、表 2 的扇区及其分界斜率；页面上悬停某格时绘出该格的区域。",
         ),
       }),
@@ -191,7 +208,9 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
           "图 4：区域 1、2 与 A 中黑格周围尝试扩展的格子；+ 为增扩的格子",
         ),
         printed: t(
-          "Printed: four panels, of which (c) extends the three cells of a region by a further diagonal one and (d) by a further straight one. Here what the planner answers for cells in the open: with region 1 both diagonals of the three are extended.",
+          "Printed: four panels, of which (c) extends the three cells of a region by a further diagonal one and (d) " +
+            "by a further straight one. Here what the planner answers for cells in the open: with region 1 both " +
+            "diagonals of the three are extended.",
           "论文：四幅小图，其中 (c) 在区域的三个格子之外再扩展一个对角格，(d) 再扩展一个横纵向格。此处为规划器对空旷处格子的实际回答：区域 1 的三个格子中有两个对角格，均被增扩。",
         ),
       }),
@@ -210,7 +229,9 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
             "tangents",
             "Figure 6: a corner's tangent circle with the letters of steps 1 to 6",
             "图 6：一个拐点的切点圆，字母同步骤 1–6",
-            "Printed: S at the end of the shorter segment, the perpendicular there meets the bisector in P, the circle around P touches the longer segment in Q; S moves to S2 where it does not. Here the same construction at a corner of figure 5, with S2 where two corners share a segment.",
+            "Printed: S at the end of the shorter segment, the perpendicular there meets the bisector in P, the " +
+              "circle around P touches the longer segment in Q; S moves to S2 where it does not. Here the same " +
+              "construction at a corner of figure 5, with S2 where two corners share a segment.",
             "论文：S 为较短线段的端点，其垂线与角平分线交于 P，以 P 为圆心的圆与较长线段交于 Q；否则 S 移至 S2。此处为图 5 中一个拐点的同一作图；两个拐点共用一条线段时取 S2。",
           ],
           [
@@ -236,7 +257,9 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
       heading(3, t("Which length is printed", "印刷的是哪种长度")),
       text(
         t(
-          "The paper does not say whether its lengths are those of the cells, of the pruned path or of the smoothed one. Rows on which each reading is the nearest to the printed length; rows whose printed length cannot be are left out.",
+          "The paper does not say whether its lengths are those of the cells, of the pruned path or of the smoothed " +
+            "one. Rows on which each reading is the nearest to the printed length; rows whose printed length cannot " +
+            "be are left out.",
           "论文没有说明长度是栅格路径、剪枝路径还是平滑路径的长度。下表为各种含义最接近印刷值的行数；印刷值不可能的行除外。",
         ),
       ),
@@ -289,7 +312,9 @@ export function sixteen(lang: Lang, { seeds, columns, grid }: Measured): Page {
       heading(1, title),
       text(
         t(
-          `A* that may move to sixteen neighbours, searched from start and goal at once. The paper prints no maps and no figures, so what can be held against it is which planner does better: medians over ${seeds} seeded maps of each kind, and its claims.`,
+          `A* that may move to sixteen neighbours, searched from start and goal at once. The paper prints no maps ` +
+            `and no figures, so what can be held against it is which planner does better: medians ` +
+            `over ${seeds} seeded maps of each kind, and its claims.`,
           `可移动到十六个邻格的 A*，并从起点与终点同时搜索。论文没有给出地图与数据，只能比较规划器的优劣：每类 ${seeds} 张种子地图的中位数，以及论断的判定。`,
         ),
       ),

@@ -56,14 +56,19 @@ const LIVE: Readonly<Record<Lang, string>> = {
 /** Figures whose points and letters no layer has: their pictures, as images, since a template may hold no style. */
 const STILL: readonly Figure["draws"][] = ["pruned", "tangents", "smoothed"];
 const still = (figure: Figure): string =>
-  `<figure class="drawn"><img alt="${figure.caption.replaceAll('"', "")}" width="440" height="440" src="data:image/svg+xml;base64,${Buffer.from(picture(figure)).toString("base64")}"><figcaption>${escaped(figure.caption)}</figcaption></figure>`;
+  `<figure class="drawn"><img alt="${figure.caption.replaceAll('"', "")}" width="440" height="440" ` +
+  `src="data:image/svg+xml;base64,${Buffer.from(picture(figure)).toString(
+    "base64",
+  )}"><figcaption>${escaped(figure.caption)}</figcaption></figure>`;
 
 /** A scene's name opens the scene in a playground of its own; other code stays. */
 const linked =
   (lang: Lang, known: ReadonlySet<string>) =>
   (code: string): string =>
     known.has(code)
-      ? `<a href="${lang === "zh" ? "../" : ""}../../embed.html#scene=${code}&amp;controls=full&amp;lang=${lang}" target="_self"><code>${code}</code></a>`
+      ? `<a href="${
+          lang === "zh" ? "../" : ""
+        }../../embed.html#scene=${code}&amp;controls=full&amp;lang=${lang}" target="_self"><code>${code}</code></a>`
       : `\`${code}\``;
 
 const playground =
@@ -73,7 +78,12 @@ const playground =
     if (svg !== undefined) return `<figure class="drawn">${svg}<figcaption>${escaped(caption)}</figcaption></figure>`;
     if (STILL.includes(draws)) return still(figure);
     const layers = draws && LAYERS[draws] ? ` layers="${LAYERS[draws]}"` : "";
-    const live = `<parkade-playground scene="${scene}" planners="${planners.join(" ")}" layout="${planners.length > 1 ? "grid" : "single"}" controls="minimal" editable lang="${lang}"${layers} alt="${caption.replaceAll('"', "")}"></parkade-playground>`;
+    const live =
+      `<parkade-playground ` +
+      `scene="${scene}" planners="${planners.join(" ")}" layout="${
+        planners.length > 1 ? "grid" : "single"
+      }" controls="minimal" editable ` +
+      `lang="${lang}"${layers} alt="${caption.replaceAll('"', "")}"></parkade-playground>`;
     return draws === "spaces" ? `${still(figure)}\n\n${LIVE[lang]}\n\n${live}` : `${live}\n\n*${caption}*`;
   };
 

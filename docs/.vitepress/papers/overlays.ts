@@ -33,7 +33,13 @@ const cellsOf = ({ rawPath }: Plan): Point[] =>
 
 function bend({ from, to, center, radius }: Arc, scale: number, at: At): string {
   const left = (from[0] - center[0]) * (to[1] - center[1]) - (from[1] - center[1]) * (to[0] - center[0]) > 0;
-  return `<path fill="none" stroke="${GREEN}" stroke-width="3" d="M${at(from).map(px).join(" ")}A${px(radius * scale)} ${px(radius * scale)} 0 0 ${left ? 0 : 1} ${at(to).map(px).join(" ")}"/>`;
+  return (
+    `<path fill="none" ` +
+    `stroke="${GREEN}" stroke-width="3" ` +
+    `d="M${at(from)
+      .map(px)
+      .join(" ")}A${px(radius * scale)} ${px(radius * scale)} 0 0 ${left ? 0 : 1} ${at(to).map(px).join(" ")}"/>`
+  );
 }
 const circles = (points: readonly Point[], at: At): string[] =>
   points.map((p) => dot(p, at, 3.5, `fill="#fff" stroke="${INK}"`));
@@ -76,7 +82,8 @@ export function tangents({ stages }: Staged, scale: number, at: At): string {
     [s, q] = isBefore ? [arc.from, arc.to] : [arc.to, arc.from];
   const moved = away(s, isBefore ? before : after) > 0.01;
   const letter = (point: Point, text: string, [dx, dy]: Point = [10, -8]): string =>
-    `<text x="${px(at(point)[0] + dx)}" y="${px(at(point)[1] + dy)}" font-family="system-ui, sans-serif" font-size="15" font-weight="600" stroke="#fff" stroke-width="4" paint-order="stroke">${text}</text>`;
+    `<text x="${px(at(point)[0] + dx)}" y="${px(at(point)[1] + dy)}" font-family="system-ui, sans-serif" ` +
+    `font-size="15" font-weight="600" stroke="#fff" stroke-width="4" paint-order="stroke">${text}</text>`;
   return [
     line(pruned, at, `stroke="${BLUE}" stroke-width="2"`),
     line([s, arc.center, q], at, `stroke="${INK}" stroke-dasharray="3 4"`),
@@ -194,13 +201,38 @@ export function marks(view: View, scene: Scenario, { waits, t, path }: Encounter
     (up: number, fill: string) =>
     ([name, , point]: [string, number, Point]): string => {
       const [x, y] = at(point);
-      return `<circle cx="${px(x)}" cy="${px(y + up)}" r="9" fill="${fill}" stroke="#1B1D20"/><text x="${px(x)}" y="${px(y + up + 4)}" font-size="12" font-weight="600" text-anchor="middle">${name}</text>`;
+      return (
+        `<circle cx="${px(x)}" cy="${px(y + up)}" r="9" fill="${fill}" stroke="#1B1D20"/><text ` +
+        `x="${px(x)}" y="${px(y + up + 4)}" font-size="12" font-weight="600" text-anchor="middle">${name}</text>`
+      );
     };
   const x = (time: number): number => 70 + ((view.width - 100) * time) / end;
   const row = (icon: string, y: number, of: [string, number, Point][], ink: string): string =>
-    `${icon}<line x1="${px(x(of[0]![1]))}" x2="${px(x(of.at(-1)![1]))}" y1="${y}" y2="${y}" stroke="${ink}" stroke-width="3"/>${of.map(([letter, time]) => `<text x="${px(x(time))}" y="${y - 5}" font-size="12" text-anchor="middle">${letter}</text>`).join("")}`;
+    `${icon}<line x1="${px(x(of[0]![1]))}" x2="${px(x(of.at(-1)![1]))}" y1="${y}" y2="${y}" ` +
+    `stroke="${ink}" stroke-width="3"/>` +
+    of
+      .map(
+        ([letter, time]) =>
+          `<text x="${px(x(time))}" y="${y - 5}" font-size="12" text-anchor="middle">${letter}</text>`,
+      )
+      .join("");
   const icon = (y: number, round: number, fill: string): string =>
     `<rect x="14" y="${y - 5}" width="28" height="10" rx="${round}" fill="${fill}" stroke="#1B1D20"/>`;
-  const strip = `<rect x="4" y="4" width="${view.width - 8}" height="54" fill="#fff" fill-opacity="0.92"/>${row(icon(20, 0, "#FBF1E0"), 20, boxes, "#8A5300")}${row(icon(40, 4, "#fff"), 40, cars, "#1B1D20")}<line x1="${px(x(wait.from))}" x2="${px(x(wait.to))}" y1="40" y2="40" stroke="#8A5300" stroke-width="7"/>${Array.from({ length: Math.floor(end / 5) + 1 }, (_, i) => `<text x="${px(x(5 * i))}" y="56" font-size="12" fill="#64696F">${5 * i} s</text>`).join("")}`;
-  return `<g font-family="system-ui, sans-serif">${boxes.map(badge(-16, "#FBF1E0")).join("")}${cars.map(badge(16, "#fff")).join("")}${strip}</g>`;
+  const strip =
+    `<rect x="4" y="4" width="${view.width - 8}" height="54" fill="#fff" ` +
+    `fill-opacity="0.92"/>${row(
+      icon(20, 0, "#FBF1E0"),
+      20,
+      boxes,
+      "#8A5300",
+    )}${row(icon(40, 4, "#fff"), 40, cars, "#1B1D20")}<line x1="${px(x(wait.from))}" x2="${px(x(wait.to))}" y1="40" ` +
+    `y2="40" stroke="#8A5300" ` +
+    `stroke-width="7"/>${Array.from(
+      { length: Math.floor(end / 5) + 1 },
+      (_, i) => `<text x="${px(x(5 * i))}" y="56" font-size="12" fill="#64696F">${5 * i} s</text>`,
+    ).join("")}`;
+  return (
+    `<g font-family="system-ui, ` +
+    `sans-serif">${boxes.map(badge(-16, "#FBF1E0")).join("")}${cars.map(badge(16, "#fff")).join("")}${strip}</g>`
+  );
 }

@@ -37,7 +37,9 @@ const SCENE_FIGURES = [
     ["hybrid"],
     "Figure 9: search from the goal",
     "图 9：从终点反向搜索",
-    'Printed: a sketch of a path of two parts, from the goal E to a node O by search and from O to the start S by a Reeds–Shepp curve. Here a row whose search expands 134 poses before such a curve completes it; the layer "Search tree" shows both parts.',
+    "Printed: a sketch of a path of two parts, from the goal E to a node O by search and from O to the start S by a " +
+      "Reeds–Shepp curve. Here a row whose search expands 134 poses before such a curve completes it; the layer " +
+      '"Search tree" shows both parts.',
     "论文：两段路径的示意图，从终点 E 搜索至节点 O，再以 RS 曲线连至起点 S。此处为扩展 134 个位姿后由该曲线完成的一行；图层“搜索树”显示这两段。",
   ],
   [
@@ -46,7 +48,8 @@ const SCENE_FIGURES = [
     ["hybrid-classic"],
     "Figure 11: traditional",
     "图 11：传统",
-    "Printed: a path of 24.1 m with two gear changes, backing where it turns, in a lot of 25 m × 25 m. Here the coarse and greedy planner needs 22.8 m and none, as no setting of the published program gives the printed path.",
+    "Printed: a path of 24.1 m with two gear changes, backing where it turns, in a lot of 25 m × 25 m. Here the " +
+      "coarse and greedy planner needs 22.8 m and none, as no setting of the published program gives the printed path.",
     "论文：25 m × 25 m 场地中 24.1 m、换挡两次的路径，转角处有倒车。此处粗糙贪心规划器为 22.8 m、不换挡；公开程序的任何参数都得不到印刷的路径。",
   ],
   [
@@ -55,7 +58,8 @@ const SCENE_FIGURES = [
     ["hybrid"],
     "Figure 12: no obstacles",
     "图 12：无障碍",
-    "Printed: a smooth path of 22.7 m into the slot, without stopping or backing. Here 22.77 m, without a gear change as well.",
+    "Printed: a smooth path of 22.7 m into the slot, without stopping or backing. Here 22.77 m, without a gear " +
+      "change as well.",
     "论文：22.7 m 的平滑入库路径，无停车与倒车。此处为 22.77 m，同样不换挡。",
   ],
   [
@@ -64,7 +68,8 @@ const SCENE_FIGURES = [
     ["hybrid"],
     "Figure 13: an obstacle",
     "图 13：有障碍",
-    "Printed: the same with an obstacle in the way, around which the path bends. Its place is not printed. Here it is 2 m × 2 m at (12, 9.5).",
+    "Printed: the same with an obstacle in the way, around which the path bends. Its place is not printed. Here it " +
+      "is 2 m × 2 m at (12, 9.5).",
     "论文：同一问题，路上有一障碍物，路径绕行。其位置未印出；此处为 (12, 9.5) 处 2 m × 2 m。",
   ],
   [
@@ -73,7 +78,8 @@ const SCENE_FIGURES = [
     ["hybrid-classic"],
     "Figure 14: traditional, parallel",
     "图 14：传统，侧方",
-    "Printed: a path of 46.0 m with three gear changes that goes over the same ground more than once in the slot. Here 35.1 m with two.",
+    "Printed: a path of 46.0 m with three gear changes that goes over the same ground more than once in the slot. " +
+      "Here 35.1 m with two.",
     "论文：46.0 m、换挡三次的路径，在车位内多次往复。此处为 35.1 m、换挡两次。",
   ],
   [
@@ -141,7 +147,9 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
       heading(1, title),
       text(
         t(
-          'The paper searches from the slot outwards and compares itself with the traditional hybrid A*. Its ten questions, P perpendicular and L parallel, are built-in scenes of these names; lengths, nodes and times are rounded as the paper\'s are. Its "search time" is the driving time at 2 m/s.',
+          "The paper searches from the slot outwards and compares itself with the traditional hybrid A*. Its ten " +
+            "questions, P perpendicular and L parallel, are built-in scenes of these names; lengths, nodes and " +
+            'times are rounded as the paper\'s are. Its "search time" is the driving time at 2 m/s.',
           "论文从车位向外搜索，并与传统混合 A* 比较。十个问题（P 垂直、L 侧方）都是内置场景；长度、节点与时间按论文方式取整。论文的“搜索时间”实为以 2 m/s 行驶的时间。",
         ),
       ),
@@ -169,8 +177,12 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
       heading(3, t("The traditional column", "传统一列")),
       text(
         t(
-          "`cargo xtask paper settings` tries 2304 combinations of the published program's settings on all ten rows. None has the printed gear changes (two to four) in more than one row; only L1 comes out as printed (37.8 for 37.9 m, four changes). So the column is not what that program answers at any of these settings.",
-          "`cargo xtask paper settings` 在全部十行上尝试公开程序的 2304 种参数组合。没有一种组合能在多于一行上得到论文的换挡次数（2–4 次）；只有 L1 与论文相符（37.8 m 对 37.9 m，四次换挡）。因此该列并非该程序在这些参数下的结果。",
+          "`cargo xtask paper settings` tries 2304 combinations of the published program's settings on all ten " +
+            "rows. None has the printed gear changes (two to four) in more than one row; only L1 comes out as " +
+            "printed (37.8 for 37.9 m, four changes). So the column is not what that program answers at any of " +
+            "these settings.",
+          "`cargo xtask paper settings` 在全部十行上尝试公开程序的 2304 种参数组合。没有一种组合能在多于一行上得到论文的换挡次数（2–4 次）；只有 L1 与论文相符（37.8 m 对 " +
+            "37.9 m，四次换挡）。因此该列并非该程序在这些参数下的结果。",
         ),
       ),
       heading(2, t("Figures", "插图")),
@@ -181,7 +193,9 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
         svg: kinematicsPicture(),
         caption: t("Figure 2: the car's kinematics", "图 2：车辆运动学模型"),
         printed: t(
-          "Printed: the bicycle model with the middles of both axles, the heading φ, the wheelbase L and the steering angle δf, to the right and so negative. Here the same, with the turning circle of radius R = L / tan δf to which both wheels are tangents.",
+          "Printed: the bicycle model with the middles of both axles, the heading φ, the wheelbase L and the " +
+            "steering angle δf, to the right and so negative. Here the same, with the turning circle of radius R = " +
+            "L / tan δf to which both wheels are tangents.",
           "论文：自行车模型，标出前后轴中心、航向角 φ、轴距 L 与等效前轮转角 δf（向右为负）。此处相同，另绘出半径 R = L / tan δf 的转弯圆，两轮均与其相切。",
         ),
       }),
@@ -192,7 +206,8 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
         svg: cornersPicture(),
         caption: t("Figure 3: the corners of the body", "图 3：车身定点图"),
         printed: t(
-          "Printed: the body's corners A to D at the heading θ. Here the same with the lengths of equation 10, which offsets A from the front axle by mistake: L + Lf is the way from the rear axle.",
+          "Printed: the body's corners A to D at the heading θ. Here the same with the lengths of equation 10, " +
+            "which offsets A from the front axle by mistake: L + Lf is the way from the rear axle.",
           "论文：航向角为 θ 时车身的四个顶点 A 至 D。此处相同，并标出式 10 的各长度；式 10 误以前轴为起点，L + Lf 实为自后轴起的距离。",
         ),
       }),
@@ -206,7 +221,9 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
           "图 4 与图 5：轴对齐包围盒（虚线）、定向包围盒（实线）、球（点线）",
         ),
         printed: t(
-          "Printed: the three volumes as solids, each around an object, then side by side around a car. Here all around one car that stands at 25°; the page turns it by hand. The table adds what the paper does not measure: each volume's speed and wrong answers.",
+          "Printed: the three volumes as solids, each around an object, then side by side around a car. Here all " +
+            "around one car that stands at 25°; the page turns it by hand. The table adds what the paper does not " +
+            "measure: each volume's speed and wrong answers.",
           "论文：三种包围盒各自包裹物体的立体示意，以及围绕车辆的并排对比。此处同时围绕一辆朝向 25° 的车，页面上可手动转动。下表补充论文未测量的内容：各自的速度与误判。",
         ),
       }),
@@ -240,7 +257,9 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
           "图 6：车身与障碍物线在一条轴上的投影：分离（左），相交（右）",
         ),
         printed: t(
-          "Printed: a simplified sketch of the car's rectangle and the lines around the slot, which are all obstacles but for its entrance. Here one line and its normal, on which the body's projection (blue) does or does not hold the line's (dot); the body's own two axes are tried in the same way.",
+          "Printed: a simplified sketch of the car's rectangle and the lines around the slot, which are all " +
+            "obstacles but for its entrance. Here one line and its normal, on which the body's projection (blue) " +
+            "does or does not hold the line's (dot); the body's own two axes are tried in the same way.",
           "论文：车辆矩形与车位四周边框线的简化示意，除入口外边框均为障碍物。此处为一条线及其法线：车身在法线上的投影（蓝）是否包含该线的投影（圆点）；车身自己的两条轴同样检验。",
         ),
       }),
@@ -254,7 +273,9 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
           "图 7：每个挡位五个转角，前进为蓝，后退为橙",
         ),
         printed: t(
-          "Printed: a car's node with five arcs forward and five back, the wheel's range divided evenly. Here the same with the paper's turning radius of 5.408 m; `hybrid` has as many with its setting `steerSamples` at 2.",
+          "Printed: a car's node with five arcs forward and five back, the wheel's range divided evenly. Here the " +
+            "same with the paper's turning radius of 5.408 m; `hybrid` has as many with its setting `steerSamples` " +
+            "at 2.",
           "论文：车辆节点向前、向后各五条弧，转角均分。此处相同，转弯半径为论文的 5.408 m；`hybrid` 的参数 `steerSamples` 取 2 时即为五个方向。",
         ),
       }),
@@ -264,7 +285,9 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
         planners: ["eight", "hybrid"],
         caption: t("Figure 8: A* and hybrid A*", "图 8：A* 与混合 A*"),
         printed: t(
-          'Printed: the nodes that A* expands at cell centres beside those of hybrid A* at the ends of arcs. Here the paths of both in one scene: eight neighbours turn on the spot and collide, hybrid A* drives into the slot; the layer "Search tree" draws their nodes.',
+          "Printed: the nodes that A* expands at cell centres beside those of hybrid A* at the ends of arcs. Here " +
+            "the paths of both in one scene: eight neighbours turn on the spot and collide, hybrid A* drives into " +
+            'the slot; the layer "Search tree" draws their nodes.',
           "论文：A* 在格心扩展的节点与混合 A* 在弧端扩展的节点对比。此处为同一场景中两者的路径：八邻域原地转向并碰撞，混合 A* 驶入车位；图层“搜索树”绘出节点。",
         ),
       }),
@@ -294,7 +317,8 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
         ),
         caption: t("Figure 10, as `hybrid-bidirectional` does it", "图 10，即 `hybrid-bidirectional` 的做法"),
         printed: t(
-          "Printed: a flow chart with the open and closed sets of both trees. Here its six steps, and the one that is different: two nodes in one cell are joined by a Reeds–Shepp curve, for no car jumps between them.",
+          "Printed: a flow chart with the open and closed sets of both trees. Here its six steps, and the one that " +
+            "is different: two nodes in one cell are joined by a Reeds–Shepp curve, for no car jumps between them.",
           "论文：含两棵树开放集与关闭集的流程图。此处为其六个步骤，以及不同之处：同格的两个节点以 Reeds–Shepp 曲线连接，因为车辆不能在其间跳跃。",
         ),
       }),
@@ -307,12 +331,17 @@ export function parking(lang: Lang, { parking: rows, verdicts, volumes }: Measur
         planners: ["hybrid"],
         draws: "marks",
         caption: t(
-          "Figure 16: the box sets off at A, is at B when the car stops at W, at C when it goes on, and ends at D; the car drives from S to E",
+          "Figure 16: the box sets off at A, is at B when the car stops at W, at C when it goes on, and ends at D; " +
+            "the car drives from S to E",
           "图 16：障碍物自 A 出发，车在 W 停下时位于 B，车继续行驶时位于 C，止于 D；车自 S 至 E",
         ),
         printed: t(
-          "Printed: a box of 5 m × 1 m moves along y = 15 from x = −20 to 5 at 2 m/s; the path of figure 14 crosses it, so the car waits at W while the box passes from B to C. Here the same box, letters and speeds, and a strip of their times. Our path of 30 m in `fig16` is behind the box before it comes and waits for nothing, so `fig16-wait` adds a barrier that leads the way through the box's strip.",
-          "论文：5 m × 1 m 的障碍物以 2 m/s 沿 y = 15 从 x = −20 移至 5；图 14 的路径与其相交，车在 W 处等待障碍物从 B 移至 C。此处障碍物、字母与速度相同，并附时间条。本实现在 `fig16` 中 30 m 的路径在障碍物到来之前已经通过，无需等待，因此 `fig16-wait` 增设一道隔栏，使路径穿过障碍物的行进带。",
+          "Printed: a box of 5 m × 1 m moves along y = 15 from x = −20 to 5 at 2 m/s; the path of figure 14 crosses " +
+            "it, so the car waits at W while the box passes from B to C. Here the same box, letters and speeds, and " +
+            "a strip of their times. Our path of 30 m in `fig16` is behind the box before it comes and waits for " +
+            "nothing, so `fig16-wait` adds a barrier that leads the way through the box's strip.",
+          "论文：5 m × 1 m 的障碍物以 2 m/s 沿 y = 15 从 x = −20 移至 5；图 14 的路径与其相交，车在 W 处等待障碍物从 B 移至 " +
+            "C。此处障碍物、字母与速度相同，并附时间条。本实现在 `fig16` 中 30 m 的路径在障碍物到来之前已经通过，无需等待，因此 `fig16-wait` 增设一道隔栏，使路径穿过障碍物的行进带。",
         ),
       }),
       heading(3, t("Paths of the other rows", "其余各行的路径")),

@@ -60,7 +60,9 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
       heading(1, title),
       text(
         t(
-          "A* for roads with a cost map that knows clearance, lanes, kerbs and limits, compared with plain A*. The manuscript's distances are a ship's; its scenes are built here to the size of roads, and again ten times as large with the ship of its appendix B.",
+          "A* for roads with a cost map that knows clearance, lanes, kerbs and limits, compared with plain A*. The " +
+            "manuscript's distances are a ship's; its scenes are built here to the size of roads, and again ten " +
+            "times as large with the ship of its appendix B.",
           "面向道路的 A*，代价地图包含净距、车道、路缘与限速，并与普通 A* 比较。手稿的距离属于船舶；此处按道路尺寸构建场景，并以附录 B 的船放大十倍再做一次。",
         ),
       ),
@@ -88,7 +90,8 @@ export function road(lang: Lang, { road: all, verdicts }: Measured): Page {
         ),
         caption: t("Figure 1: the system in four layers", "图 1：系统的四层架构"),
         printed: t(
-          "Printed: the only figure of the manuscript, four layers of boxes joined by arrows: input, preparation, core, output. Here the same boxes with their words; its scenes have no picture.",
+          "Printed: the only figure of the manuscript, four layers of boxes joined by arrows: input, preparation, " +
+            "core, output. Here the same boxes with their words; its scenes have no picture.",
           "论文：手稿唯一的插图，输入、预处理、核心算法、输出四层方框，以箭头相连。此处方框与文字相同；其场景没有插图。",
         ),
       }),

@@ -12,10 +12,13 @@ export const AUDIT_OPTIONS = {
   entrance: { type: "string", multiple: true },
 };
 
-export const AUDIT_ABOUT = `  --vehicle ID,ID…     vehicles of the library, or paper, sedan, ship; default: the scene's. \`parkade vehicles\` lists them
+export const AUDIT_ABOUT =
+  `  --vehicle ID,ID…     vehicles of the library, or paper, sedan, ship; default: the ` +
+  `scene's. \`parkade vehicles\` lists them
   --entry both|head-in|reverse-in  default: both
   --what-if each-free|as-is  ask each occupied bay as if it were free (default), or leave it out
-  --entrance ID=X,Y,HEADING[/X,Y,HEADING]  where vehicles come in and, after the slash, leave; metres, radians; may be repeated;
+  --entrance ID=X,Y,HEADING[/X,Y,HEADING]  where vehicles come in and, after the slash, leave; metres, radians; may ` +
+  `be repeated;
                        default: the scene's start
   --set NAME=VALUE     a setting of hybrid; may be repeated`;
 

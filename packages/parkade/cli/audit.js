@@ -159,7 +159,10 @@ function named(file, id, rows) {
 
 /** Fills by moves, light to dark, told apart without colours by the number written in them. */
 const FILLS = ["#cfe3f1", "#8fbbdd", "#4a90c4", "#1f5e93"];
-const HATCH = `<pattern id="out-of-reach" width="8" height="8" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="8" height="8" fill="#fbe9e7"/><rect width="2" height="8" fill="#c0392b"/></pattern>`;
+const HATCH =
+  `<pattern id="out-of-reach" width="8" height="8" patternUnits="userSpaceOnUse" ` +
+  `patternTransform="rotate(45)"><rect width="8" height="8" fill="#fbe9e7"/><rect width="2" height="8" ` +
+  `fill="#c0392b"/></pattern>`;
 const WIDTH = 1200,
   RIM = 24;
 
@@ -186,10 +189,15 @@ function picture(scene, rows) {
     );
     const [x = 0, y = 0] = at(middle).split(",").map(Number);
     const fill = isReached ? FILLS[Math.min(moves, FILLS.length) - 1] : "url(#out-of-reach)";
-    return `<polygon points="${outline.map(at).join(" ")}" fill="${fill}" fill-opacity="0.85" stroke="#fff"/><text x="${x}" y="${y + 4}" fill="${isReached && moves > 3 ? "#fff" : "#16202a"}">${isReached ? moves : "–"}</text>`;
+    return (
+      `<polygon points="${outline.map(at).join(" ")}" fill="${fill}" fill-opacity="0.85" stroke="#fff"/><text ` +
+      `x="${x}" y="${y + 4}" fill="${isReached && moves > 3 ? "#fff" : "#16202a"}">${isReached ? moves : "–"}</text>`
+    );
   });
   const svg = toSVG(scene, [], { width: WIDTH, height, theme: "light", camera });
-  const layer = `<g font-family="sans-serif" font-size="12" font-weight="600" text-anchor="middle"><defs>${HATCH}</defs>${bays.join("")}</g>`;
+  const layer =
+    `<g font-family="sans-serif" font-size="12" font-weight="600" ` +
+    `text-anchor="middle"><defs>${HATCH}</defs>${bays.join("")}</g>`;
   return svg.replace(/<\/svg>\s*$/, `${layer}</svg>\n`);
 }
 

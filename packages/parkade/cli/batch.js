@@ -102,7 +102,9 @@ function told(all, tasks, open, out, stopped) {
   const found = all.filter(({ outcome }) => outcome === "found").length,
     failed = all.filter(({ error }) => error !== undefined);
   process.stdout.write(
-    `${all.length} of ${tasks} planned (${open - (tasks - all.length)} now): ${found} found, ${all.length - found - failed.length} without a path, ${failed.length} refused; digest ${digest(all)}\n`,
+    `${all.length} of ${tasks} planned (${open - (tasks - all.length)} now): ${found} found, ${
+      all.length - found - failed.length
+    } without a path, ${failed.length} refused; digest ${digest(all)}\n`,
   );
   for (const { scene, planner, error } of failed.slice(0, 10))
     process.stderr.write(`parkade: ${scene} (${planner}): ${error && explained(error)}\n`);

@@ -22,11 +22,16 @@ export async function check([place, path, ...more], values) {
     const blocked = isMap(place) ? [] : overlaps(scene),
       words = blocked.map(
         ({ end, obstacle }) =>
-          `${end}-blocked: ${obstacle === undefined ? "no slot of the goal is free, or the car does not fit into its region" : `the car overlaps ${obstacle} at the ${end}`}`,
+          `${end}-blocked: ${
+            obstacle === undefined
+              ? "no slot of the goal is free, or the car does not fit into its region"
+              : `the car overlaps ${obstacle} at the ${end}`
+          }`,
       );
     if (words.length === 0)
       words.push(
-        `ok: ${facts.obstacles} obstacles, ${facts.slots} slots, a car that turns in ${facts.minTurningRadius.toFixed(2)} m`,
+        `ok: ${facts.obstacles} obstacles, ${facts.slots} slots, a car that turns ` +
+          `in ${facts.minTurningRadius.toFixed(2)} m`,
       );
     await write(format === "json" ? toJSON({ ...facts, blocked }, 2) : `${words.join("\n")}\n`);
     return blocked.length > 0 ? 1 : 0;
@@ -53,7 +58,9 @@ function overlaps(scene) {
 function sentence({ verdict, hits, firstHit, tightTurns, slips, goalDistance, minTurningRadius }) {
   const words = [
     hits > 0 &&
-      `overlaps at ${hits} poses, first ${firstHit?.obstacle} at x ${firstHit?.pose.x.toFixed(2)} m, y ${firstHit?.pose.y.toFixed(2)} m`,
+      `overlaps at ${hits} poses, first ${firstHit?.obstacle} at x ${firstHit?.pose.x.toFixed(
+        2,
+      )} m, y ${firstHit?.pose.y.toFixed(2)} m`,
     tightTurns > 0 && `${tightTurns} turns tighter than ${minTurningRadius.toFixed(2)} m`,
     slips > 0 && `${slips} steps sideways`,
     `ends ${goalDistance.toFixed(3)} m from the goal`,

@@ -2,7 +2,8 @@
 // The commands of `parkade`: their texts, options and modules.
 import { AUDIT_ABOUT, AUDIT_OPTIONS } from "./audit-options.js";
 
-export const HELP = `usage: parkade <command> [options]
+export const HELP =
+  `usage: parkade <command> [options]
 
   plan SCENE…      plan a path            --planner ID  --set NAME=VALUE  --format json|csv|svg|trajectory  --out FILE
   check SCENE [PATH]   check a scene, or a path against it (plan.json, or CSV as from \`plan\`)
@@ -26,21 +27,25 @@ SCENE is a scene as JSON, a MovingAI .map, a ROS .yaml, a TPCAP .csv, a site pla
 the id of a built-in scene, or - for standard input.
 \`parkade <command> --help\` lists the options of a command.
 
-exit codes: 0 done; 1 no path, a path or trajectory that fails its check, a blocked start or goal, or scenes that could not be planned;
-2 bad input, or a file that cannot be read or written; 3 internal error; 124 --timeout; 130 a batch that was interrupted,
+exit codes: 0 done; 1 no path, a path or trajectory that fails its check, a blocked start or goal, or scenes that ` +
+  `could not be planned;
+2 bad input, or a file that cannot be read or written; 3 internal error; 124 --timeout; 130 a batch that was ` +
+  `interrupted,
 which the same command continues
 `;
 
 /** Each command's help text, options and module. @type {Record<string, Command>} */
 export const COMMANDS = {
   plan: {
-    about: `usage: parkade plan SCENE… [options]
+    about:
+      `usage: parkade plan SCENE… [options]
 
   Several scenes or planners give a line of JSON each, which begins with the scene.
 
   --planner ID,ID…     default: hybrid
   --set NAME=VALUE     a setting of the planner; may be repeated
-  --format json|csv|svg|trajectory  default: json. NaN and infinities are null in JSON, empty in CSV; trajectory is CSV over
+  --format json|csv|svg|trajectory  default: json. NaN and infinities are null in JSON, empty in CSV; trajectory is ` +
+      `CSV over
                        time of what \`optimise\` makes of the plan, as \`judge\` reads it
   --out FILE           default: standard output
   --prefer shortest|fewest-changes|widest|fastest  what hybrid's path is chosen by
@@ -68,9 +73,11 @@ export const COMMANDS = {
     load: async () => (await import("./plan.js")).plan,
   },
   check: {
-    about: `usage: parkade check SCENE [PATH] [options]
+    about:
+      `usage: parkade check SCENE [PATH] [options]
 
-  Without PATH, checks that the scene can be read and that its car stands free at start and goal. PATH is JSON with \`path\` (x, y, heading, …) and optional \`directions\`, or
+  Without PATH, checks that the scene can be read and that its car stands free at start and goal. PATH is JSON with ` +
+      `\`path\` (x, y, heading, …) and optional \`directions\`, or
   CSV with columns x, y, theta and optional direction. The independent checker drives the body along it.
 
   --timeout SECONDS    stop after so long, with exit code 124
@@ -80,10 +87,13 @@ export const COMMANDS = {
     load: async () => (await import("./check.js")).check,
   },
   judge: {
-    about: `usage: parkade judge SCENE TRAJECTORY [options]
+    about:
+      `usage: parkade judge SCENE TRAJECTORY [options]
 
-  TRAJECTORY is CSV with a header: t,x,y,theta[,v,phi] (a trajectory) or x,y,theta[,gear] (a path, which is given times and driven
-  by a simulated car), in seconds, metres and radians; or JSON with \`path\` and optional \`t\`, \`speeds\`, \`steering\`.
+  TRAJECTORY is CSV with a header: t,x,y,theta[,v,phi] (a trajectory) or x,y,theta[,gear] (a path, which is given ` +
+      `times and driven
+  by a simulated car), in seconds, metres and radians; or JSON with \`path\` and optional \`t\`, \`speeds\`, ` +
+      `\`steering\`.
 
   --speed V            m/s; default: 2.5
   --acceleration A     m/s²; default: 1
@@ -103,9 +113,11 @@ export const COMMANDS = {
     load: async () => (await import("./judge.js")).judge,
   },
   audit: {
-    about: `usage: parkade audit SCENE [options]
+    about:
+      `usage: parkade audit SCENE [options]
 
-  Asks of each bay whether each vehicle can drive in from each entrance, and out again. Exit code 1: some bay is out of reach.
+  Asks of each bay whether each vehicle can drive in from each entrance, and out again. Exit code 1: some bay is ` +
+      `out of reach.
 
 ${AUDIT_ABOUT}
   --csv FILE           write all rows
@@ -177,15 +189,19 @@ ${AUDIT_ABOUT}
     load: async () => (await import("./bench.js")).bench,
   },
   batch: {
-    about: `usage: parkade batch SCENES… [options]
+    about:
+      `usage: parkade batch SCENES… [options]
 
-  Plans .json files, every .json below folders, and every line of .jsonl files. Appends a line per scene and planner to the
+  Plans .json files, every .json below folders, and every line of .jsonl files. Appends a line per scene and ` +
+      `planner to the
   results and skips those already there, so a stopped run continues when it is started again. The result of a scene that
   has changed since then is superseded.
 
   --planner ID,ID…     default: hybrid
-  --task plan|audit    default: plan; audit asks every bay of each scene, with the options of \`parkade audit\`: --vehicle, --entry,
-                       --what-if, --entrance. Its results have \`asked\`, \`reachable\`, \`undecided\` and \`rows\`: bay, vehicle, entrance,
+  --task plan|audit    default: plan; audit asks every bay of each scene, with the options of \`parkade audit\`: ` +
+      `--vehicle, --entry,
+                       --what-if, --entrance. Its results have \`asked\`, \`reachable\`, \`undecided\` and ` +
+      `\`rows\`: bay, vehicle, entrance,
                        entry, moves, length, driveTime, clearance, reason, …
   --set NAME=VALUE     a setting for all of the planners; may be repeated
   --sweep NAME=V,V…    plan with each of these values; repeated, with all combinations
@@ -214,9 +230,11 @@ ${AUDIT_ABOUT}
     load: async () => (await import("./batch.js")).batch,
   },
   columns: {
-    about: `usage: parkade columns FILE… [options]
+    about:
+      `usage: parkade columns FILE… [options]
 
-  Writes the newest results of \`batch\` (.jsonl, in any number of files) as the columns of one Parquet file, for DuckDB, pandas,
+  Writes the newest results of \`batch\` (.jsonl, in any number of files) as the columns of one Parquet file, for ` +
+      `DuckDB, pandas,
   Ray and \`parkade report\`. Results of \`--task audit\` become a row for each bay, vehicle, entrance and entry.
 
   --out FILE           default: results.parquet
@@ -225,9 +243,11 @@ ${AUDIT_ABOUT}
     load: async () => (await import("./parquet.js")).columns,
   },
   report: {
-    about: `usage: parkade report FILE… [options]
+    about:
+      `usage: parkade report FILE… [options]
 
-  Writes one HTML page over results (.jsonl of \`batch\`, or .parquet of \`columns\` or of Python): outcomes, quantiles, performance
+  Writes one HTML page over results (.jsonl of \`batch\`, or .parquet of \`columns\` or of Python): outcomes, ` +
+      `quantiles, performance
   profiles, and who wins against whom on the same scenes. A row is a planner with its settings.
 
   --out FILE           default: report.html
@@ -277,9 +297,11 @@ ${AUDIT_ABOUT}
     load: async () => (await import("./convert.js")).generate,
   },
   convert: {
-    about: `usage: parkade convert FILES… [options]
+    about:
+      `usage: parkade convert FILES… [options]
 
-  Reads MovingAI .map with its .scen, ROS .yaml with its picture, TPCAP .csv, site plans (.dxf, .svg, .geojson, .osm), lots and
+  Reads MovingAI .map with its .scen, ROS .yaml with its picture, TPCAP .csv, site plans (.dxf, .svg, .geojson, ` +
+      `.osm), lots and
   scenes as .json, and prints scenes as JSON. The names of a plan's layers suggest what they are.
 
   --format json|jsonl  default: json, one scene; jsonl has each scene on a line, as \`batch\` reads them

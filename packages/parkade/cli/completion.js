@@ -36,7 +36,8 @@ function bash(words, scenes, ids, isZsh) {
   );
   // Zsh completes bash's way once its own completion runs, which a shell without settings has not begun.
   const begun =
-    "(( $+functions[compdef] )) || { autoload -Uz compinit && compinit; }\nautoload -U +X bashcompinit && bashcompinit\n";
+    "(( $+functions[compdef] )) || { autoload -Uz compinit && compinit; }\nautoload -U +X bashcompinit && " +
+    "bashcompinit\n";
   return `${isZsh ? begun : ""}_parkade() {
   local word="\${COMP_WORDS[COMP_CWORD]}" before="\${COMP_WORDS[COMP_CWORD-1]}" words
   if [ "$COMP_CWORD" -eq 1 ]; then

@@ -45,7 +45,8 @@ export async function generate(places, values) {
 export async function convert(places, values) {
   if (places.length === 0)
     throw new Refused(
-      "which files? MovingAI .map, ROS .yaml, TPCAP .csv, plans as .dxf, .svg, .geojson or .osm, lots or scenes as .json",
+      "which files? MovingAI .map, ROS .yaml, TPCAP .csv, plans as .dxf, .svg, .geojson or .osm, lots or scenes as " +
+        ".json",
     );
   const options = {
     ...(values.resolution !== undefined && { resolution: numeric("resolution", values.resolution) }),

@@ -48,12 +48,25 @@ function lines(found) {
   const { touchingFrames, frames, uncertified, firstContact, endError, modelError } = found;
   const degrees = (/** @type {number} */ angle) => `${((angle * 180) / Math.PI).toFixed(2)}°`;
   return [
-    `${found.passes ? "passes" : "fails"}: goal ${found.attained ? "attained" : "not attained"}, limits ${found.keepsLimits ? "kept" : "not kept"}`,
-    `ends ${(endError.x * 1000).toFixed(1)} mm, ${(endError.y * 1000).toFixed(1)} mm and ${degrees(endError.heading)} from the goal, at ${found.endSpeed.toFixed(3)} m/s`,
-    `poses differ from the car's motion by ${(modelError.distance * 1000).toFixed(1)} mm and ${degrees(modelError.heading)}`,
-    `${touchingFrames} of ${frames} frames touch${firstContact === null ? "" : `, first ${firstContact.obstacle} after ${firstContact.t.toFixed(3)} s`}; ${uncertified} stretches between frames not certified; least clearance ${found.minClearance.toFixed(3)} m`,
+    `${found.passes ? "passes" : "fails"}: goal ${
+      found.attained ? "attained" : "not attained"
+    }, limits ${found.keepsLimits ? "kept" : "not kept"}`,
+    `ends ${(endError.x * 1000).toFixed(1)} mm, ${(endError.y * 1000).toFixed(
+      1,
+    )} mm and ${degrees(endError.heading)} from the goal, at ${found.endSpeed.toFixed(3)} m/s`,
+    `poses differ from the car's motion ` +
+      `by ${(modelError.distance * 1000).toFixed(1)} mm and ${degrees(modelError.heading)}`,
+    `${touchingFrames} of ${frames} frames touch${
+      firstContact === null ? "" : `, first ${firstContact.obstacle} after ${firstContact.t.toFixed(3)} s`
+    }; ${uncertified} stretches between frames not certified; least clearance ${found.minClearance.toFixed(3)} m`,
     `duration ${found.duration.toFixed(3)} s, length ${found.length.toFixed(2)} m, gear changes ${found.gearChanges}`,
-    `effort ${found.effort.toFixed(3)}, steering ${found.steeringEffort.toFixed(3)}, smoothness ${found.smoothness.toFixed(2)}, TPCAP cost ${found.tpcapCost.toFixed(1)}`,
-    `at most ${found.maxSpeed.toFixed(3)} m/s, +${found.maxAcceleration.toFixed(3)} and -${found.maxDeceleration.toFixed(3)} m/s², ${found.maxSteering.toFixed(4)} rad, ${found.maxSteeringRate.toFixed(4)} rad/s`,
+    `effort ${found.effort.toFixed(3)}, steering ${found.steeringEffort.toFixed(
+      3,
+    )}, smoothness ${found.smoothness.toFixed(2)}, TPCAP cost ${found.tpcapCost.toFixed(1)}`,
+    `at most ${found.maxSpeed.toFixed(3)} m/s, +${found.maxAcceleration.toFixed(
+      3,
+    )} and -${found.maxDeceleration.toFixed(
+      3,
+    )} m/s², ${found.maxSteering.toFixed(4)} rad, ${found.maxSteeringRate.toFixed(4)} rad/s`,
   ];
 }

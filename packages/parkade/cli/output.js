@@ -5,7 +5,11 @@ import { unwritten } from "./refusal.js";
 
 /** Typed arrays as lists; JSON has no NaN and no infinity. @param {unknown} value @param {number} [indent] */
 export const toJSON = (value, indent) =>
-  `${JSON.stringify(value, (_, one) => (ArrayBuffer.isView(one) ? [.../** @type {Float64Array} */ (one)] : one), indent)}\n`;
+  `${JSON.stringify(
+    value,
+    (_, one) => (ArrayBuffer.isView(one) ? [.../** @type {Float64Array} */ (one)] : one),
+    indent,
+  )}\n`;
 
 /** @param {string} content @param {string} [file] */
 export async function write(content, file) {

@@ -6,8 +6,10 @@ const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b8860b", "#56b4e9
 const DASHES = ["", "6 3", "2 2", "8 2 2 2"];
 const [WIDTH, HEIGHT, LEFT, BOTTOM, TOP] = [640, 300, 48, 40, 10];
 
-const STYLE = `
-:root { color-scheme: light dark; --line: light-dark(#d8d8d2, #444); --soft: light-dark(#f4f4f0, #222); --muted: light-dark(#5b5b56, #b4b4ac); }
+const STYLE =
+  `
+:root { color-scheme: light dark; --line: light-dark(#d8d8d2, #444); --soft: light-dark(#f4f4f0, #222); --muted: ` +
+  `light-dark(#5b5b56, #b4b4ac); }
 body { font: 15px/1.5 system-ui, sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2.5rem; } h3 { font-size: 1rem; }
 p { max-width: 45rem; color: var(--muted); }
@@ -16,7 +18,8 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem .7rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
 th:first-child { text-align: left; font-weight: 600; } thead th { background: var(--soft); font-weight: 600; }
 svg { width: 100%; max-width: ${WIDTH}px; height: auto; } svg text { font-size: 12px; fill: currentColor; }
-ul.key { list-style: none; padding: 0; display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; } ul.key svg { width: 34px; vertical-align: middle; }
+ul.key { list-style: none; padding: 0; display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; } ul.key svg { width: ` +
+  `34px; vertical-align: middle; }
 `;
 
 /** @param {unknown} value */
@@ -25,7 +28,9 @@ const text = (value) =>
 
 /** @param {(string | number)[]} head @param {(string | number)[][]} rows */
 const table = (head, rows) =>
-  `<div class="wide"><table><thead><tr>${head.map((cell) => `<th scope="col">${text(cell)}</th>`).join("")}</tr></thead><tbody>${rows
+  `<div class="wide"><table><thead><tr>${head
+    .map((cell) => `<th scope="col">${text(cell)}</th>`)
+    .join("")}</tr></thead><tbody>${rows
     .map(
       ([first, ...rest]) =>
         `<tr><th scope="row">${text(first)}</th>${rest.map((cell) => `<td>${text(cell)}</td>`).join("")}</tr>`,
@@ -34,7 +39,8 @@ const table = (head, rows) =>
 
 /** @param {number} i */
 const stroke = (i) =>
-  `fill="none" stroke="${COLOURS[i % COLOURS.length]}" stroke-width="2" stroke-dasharray="${DASHES[Math.floor(i / COLOURS.length) % DASHES.length] || DASHES[i % DASHES.length]}"`;
+  `fill="none" stroke="${COLOURS[i % COLOURS.length]}" stroke-width="2" ` +
+  `stroke-dasharray="${DASHES[Math.floor(i / COLOURS.length) % DASHES.length] || DASHES[i % DASHES.length]}"`;
 
 /** @param {number} share */
 const percent = (share) => `${(100 * share).toFixed(1)} %`;
@@ -59,13 +65,20 @@ function profile({ figure, factors, profiles }) {
   );
   const shares = [0, 0.25, 0.5, 0.75, 1].map(
     (share) =>
-      `<path d="M${LEFT},${y(share)}H${WIDTH - 10}" stroke="var(--line)"/><text x="${LEFT - 6}" y="${y(share) + 4}" text-anchor="end">${share * 100} %</text>`,
+      `<path d="M${LEFT},${y(share)}H${WIDTH - 10}" stroke="var(--line)"/><text ` +
+      `x="${LEFT - 6}" y="${y(share) + 4}" text-anchor="end">${share * 100} %</text>`,
   );
   const key = profiles.map(
     (/** @type {any} */ { name }, /** @type {number} */ i) =>
       `<li><svg viewBox="0 0 34 10" aria-hidden="true"><path d="M0,5H34" ${stroke(i)}/></svg> ${text(name)}</li>`,
   );
-  return `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${text(`${figure.title}: share of scenes by the factor of the best`)}">${shares.join("")}${marks.join("")}${lines.join("")}<text x="${(LEFT + WIDTH) / 2}" y="${HEIGHT - 4}" text-anchor="middle">factor of the best</text></svg><ul class="key">${key.join("")}</ul>`;
+  return (
+    `<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" role="img" aria-label="${text(
+      `${figure.title}: share of scenes by the factor of the best`,
+    )}">${shares.join("")}${marks.join("")}${lines.join("")}` +
+    `<text x="${(LEFT + WIDTH) / 2}" y="${HEIGHT - 4}" text-anchor="middle">factor of the best</text></svg>` +
+    `<ul class="key">${key.join("")}</ul>`
+  );
 }
 
 /** @param {any} comparison */
@@ -76,12 +89,15 @@ function compared(comparison) {
     names[i],
     ...row.map(({ wins, ties, losses }, j) => (i === j ? "" : `${wins} / ${ties} / ${losses}`)),
   ]);
-  return `<section><h2>${text(figure.title)}: compared on ${scenes} scenes</h2>
-<p>The share of scenes on which a planner is within a factor of the least ${text(figure.title.toLowerCase())} that any of them has. Scenes without a path count against it.</p>
+  return (
+    `<section><h2>${text(figure.title)}: compared on ${scenes} scenes</h2>
+<p>The share of scenes on which a planner is within a factor of the ` +
+    `least ${text(figure.title.toLowerCase())} that any of them has. Scenes without a path count against it.</p>
 ${profile(comparison)}
 <h3>Wins, ties and losses of the row against the column</h3>
 <p>Less wins. A path wins against none; two without a path tie.</p>
-${table(["", ...names], rows)}</section>`;
+${table(["", ...names], rows)}</section>`
+  );
 }
 
 /** @param {{ files: string[], outcomes: any[], quantiles: any[], parts: number[], comparisons: any[] }} found */

@@ -5,9 +5,9 @@ import type { GridPlannerId, HybridPlannerId, PlannerId, PlannerSettings } from 
 
 export { ParkadeError, init, packRuns, scenarios, unpackRuns, version } from "../index.js";
 export type {
-  ArcTrace, CellTrace, Check, CostArea, Detail, ErrorCode, Goal, GridMetrics, GridStats, Hit, HybridMetrics, HybridStats, Lane, Layer, MapFrame,
-  Metrics, MovingObstacle, Obstacle, Obstruction, Outcome, ParameterInfo, PathMetrics, Pose, Road, Run, ScenarioInfo, SceneVehicle, SearchStats, Shots, Slot,
-  SpeedLimit, Stats, Trace, Vehicle,
+  ArcTrace, CellTrace, Check, CostArea, Detail, ErrorCode, Goal, GridMetrics, GridStats, Hit, HybridMetrics,
+  HybridStats, Lane, Layer, MapFrame, Metrics, MovingObstacle, Obstacle, Obstruction, Outcome, ParameterInfo,
+  PathMetrics, Pose, Road, Run, ScenarioInfo, SceneVehicle, SearchStats, Shots, Slot, SpeedLimit, Stats, Trace, Vehicle,
 } from "../index.js";
 export type * from "./settings.js";
 
@@ -44,7 +44,12 @@ export class Planner<Id extends PlannerId = PlannerId> {
   /** Checks scene and settings and prepares the map, once. Throws ParkadeError. */
   constructor(planner: Id, scene: Scenario, config?: PlannerSettings[Id]);
   /** `start` and `goal` take the place of the scene's in this plan, and in `layer` until the next one. */
-  plan(options?: { trace?: boolean; start?: complete.Pose; goal?: complete.Pose; onProgress?: (expansions: number) => void }): PlanOf<Id>;
+  plan(options?: {
+    trace?: boolean;
+    start?: complete.Pose;
+    goal?: complete.Pose;
+    onProgress?: (expansions: number) => void;
+  }): PlanOf<Id>;
   /** A raster of this planner's map, between the ends of the last plan. */
   layer(name: LayerName, options?: { every?: number }): complete.Layer;
   free(): void;

@@ -86,7 +86,10 @@ export interface HybridSettings {
   directionChangeCost?: number;
   /** Leaving a slot is easier than finding it. */
   searchFrom?: "goal" | "start";
-  /** Practical avoids long reversing and many gear changes; comfort and classic replace the costs below. Default: "practical". */
+  /**
+   * Practical avoids long reversing and many gear changes; comfort and classic replace the costs below. Default:
+   * "practical".
+   */
   profile?: "practical" | "shortest" | "comfort" | "classic";
   /** Cost of a metre in reverse. Usual range: 1 to 5. Default: 1. */
   reverseCost?: number;

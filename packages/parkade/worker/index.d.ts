@@ -1,5 +1,6 @@
 import type {
-  DrivenPath, Expansions, Goal, Layer, LayerName, OptimiseOptions, OptimisedTrajectory, PlannerId, PlannerSettings, PlanOf, Prefer, Scenario,
+  DrivenPath, Expansions, Goal, Layer, LayerName, OptimiseOptions, OptimisedTrajectory, PlannerId, PlannerSettings,
+  PlanOf, Prefer, Scenario,
 } from "../index.js";
 
 export { ParkadeError } from "../index.js";

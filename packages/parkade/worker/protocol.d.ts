@@ -1,4 +1,6 @@
-import type { DrivenPath, Expansions, HybridPlan, LayerName, OptimiseOptions, ParkadeError, Plan, PlannerId, Scenario } from "../index.js";
+import type {
+  DrivenPath, Expansions, HybridPlan, LayerName, OptimiseOptions, ParkadeError, Plan, PlannerId, Scenario,
+} from "../index.js";
 
 /** To a worker. */
 export type Message = { kind: "start"; module: WebAssembly.Module } | Job;

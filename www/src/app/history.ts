@@ -70,7 +70,11 @@ export function encodeHistory({ past, scene, future }: History, hash: string): s
   if (!now) return null;
   const before = whileRoom(past.toReversed()).reverse(),
     after = whileRoom(future.toReversed()).reverse();
-  return `{"hash":${JSON.stringify(hash)},"at":${before.length},"scenes":${JSON.stringify([...before, now, ...after])},"parts":[${texts.join()}]}`;
+  return `{"hash":${JSON.stringify(hash)},"at":${before.length},"scenes":${JSON.stringify([
+    ...before,
+    now,
+    ...after,
+  ])},"parts":[${texts.join()}]}`;
 }
 
 /** Throws where the text is damaged; `checked` throws what is wrong with a scene. */

@@ -28,11 +28,14 @@ const asScript = (value: unknown): string => JSON.stringify(value).replaceAll("<
 async function embedSnippet(app: App): Promise<string> {
   const { planners, mode, scene } = app.store.state;
   const root = new URL(".", location.href.split("#")[0]).href;
-  return `<script type="module" src="${asAttribute(root)}parkade-playground.js"></script>
-<parkade-playground planners="${planners.join(" ")}" layout="${mode}" controls="minimal" alt="${asAttribute(scene.name ?? "")}">
+  return (
+    `<script type="module" src="${asAttribute(root)}parkade-playground.js"></script>
+<parkade-playground ` +
+    `planners="${planners.join(" ")}" layout="${mode}" controls="minimal" alt="${asAttribute(scene.name ?? "")}">
 <script type="application/json" slot="scene">${asScript(await sceneOf(app))}</script>
 </parkade-playground>
-`;
+`
+  );
 }
 
 async function markdownLink(app: App): Promise<string> {

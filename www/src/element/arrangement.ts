@@ -36,7 +36,8 @@ export function wide({ isFull, loaded, folded, store }: Page, app: App): Templat
     html`<parkade-splitter part="handle" pane=${pane} lang=${store.state.lang}></parkade-splitter>`;
   const around = (): TemplateResult => html`
       <parkade-inspector .app=${app} .ready=${loaded}></parkade-inspector>
-      <div class="bottom-pane"><parkade-table part="table" .app=${app}></parkade-table><parkade-charts part="chart" .app=${app}></parkade-charts>${splitter("chart")}</div>
+      <div class="bottom-pane"><parkade-table part="table" .app=${app}></parkade-table><parkade-charts part="chart"
+        .app=${app}></parkade-charts>${splitter("chart")}</div>
       ${splitter("side")}${splitter("bottom")}`;
   return html`
       ${isFull ? html`<parkade-options .app=${app}></parkade-options>` : nothing}
@@ -50,7 +51,9 @@ export function narrow({ isFull, loaded, rails, short }: Page, app: App): Templa
       <parkade-choices .app=${app}></parkade-choices><parkade-failure .app=${app} ?short=${isFull}></parkade-failure>
       ${rails ? html`<parkade-options .app=${app}></parkade-options>` : nothing}
       <parkade-timeline part="timeline" .app=${app} compact ?slim=${rails}></parkade-timeline>
-      ${isFull && !short ? html`<parkade-sheet .app=${app} .ready=${loaded} ?drawer=${rails}></parkade-sheet>` : nothing}`;
+      ${
+        isFull && !short ? html`<parkade-sheet .app=${app} .ready=${loaded} ?drawer=${rails}></parkade-sheet>` : nothing
+      }`;
 }
 
 export function sceneViews(root: ParentNode): SceneView[] {

@@ -5,4 +5,8 @@ import { tokens } from "../styles/tokens";
  * The colours by the scheme that `Embedded` writes on the outer element; the reader's own setting is one of the things
  * it follows.
  */
-export const colours = css`${unsafeCSS(tokens.cssText.replace(/:not\(\[theme="?light"?\]\)/, ":not(*)").replace(/\[theme="?dark"?\]/, '[data-scheme="dark"]'))}`;
+export const colours = css`${unsafeCSS(
+  tokens.cssText
+    .replace(/:not\(\[theme="?light"?\]\)/, ":not(*)")
+    .replace(/\[theme="?dark"?\]/, '[data-scheme="dark"]'),
+)}`;

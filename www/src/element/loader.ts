@@ -10,16 +10,22 @@ const EMBEDDED = "./embedded";
 /** Servers that render pages import this file, and have neither elements nor styles. */
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 const style = globalThis.CSSStyleSheet && new CSSStyleSheet();
-style?.replaceSync(`
-:host { display: block; box-sizing: border-box; width: 100%; position: relative; contain: content; aspect-ratio: 12 / 7; min-height: 280px; overflow: hidden; background: var(--parkade-bg, Canvas); }
+style?.replaceSync(
+  `
+:host { display: block; box-sizing: border-box; width: 100%; position: relative; contain: content; aspect-ratio: 12 ` +
+    `/ 7; min-height: 280px; overflow: hidden; background: var(--parkade-bg, Canvas); }
 :host([hidden]) { display: none; }
 parkade-embedded, .poster { position: absolute; inset: 0; }
 parkade-embedded.covered { visibility: hidden; }
-.poster { display: block; width: 100%; height: 100%; z-index: 1; border: 0; padding: 0; margin: 0; background: none; font: inherit; color: inherit; cursor: default; }
+.poster { display: block; width: 100%; height: 100%; z-index: 1; border: 0; padding: 0; margin: 0; background: ` +
+    `none; font: inherit; color: inherit; cursor: default; }
 button.poster { cursor: pointer; }
-.poster img, ::slotted([slot=poster]) { display: block; width: 100%; height: 100%; object-fit: contain; object-position: top; }
-.bar { position: absolute; z-index: 2; inset: auto 0 0; height: 3px; background: var(--parkade-accent, Highlight); transform: scaleX(0); transform-origin: left; transition: transform .2s; }
-`);
+.poster img, ::slotted([slot=poster]) { display: block; width: 100%; height: 100%; object-fit: contain; ` +
+    `object-position: top; }
+.bar { position: absolute; z-index: 2; inset: auto 0 0; height: 3px; background: var(--parkade-accent, Highlight); ` +
+    `transform: scaleX(0); transform-origin: left; transition: transform .2s; }
+`,
+);
 
 type Name = (typeof METHODS)[number];
 

@@ -87,17 +87,8 @@ export class Playground extends LitElement {
     this.planners = "";
     this.layout = "grid";
     this.theme = "auto";
-    this.viewing =
-      this.permalink =
-      this.compact =
-      this.rails =
-      this.short =
-      this.loaded =
-      this.folded =
-      this.inspecting =
-      this.dropping =
-      this.bare =
-        false;
+    this.viewing = this.permalink = this.compact = this.rails = this.short = false;
+    this.loaded = this.folded = this.inspecting = this.dropping = this.bare = false;
     // A value set before this element was defined hides the accessor.
     const early = Object.getOwnPropertyDescriptor(this, "sceneData")?.value as Scene | undefined;
     delete (this as { sceneData?: Scene }).sceneData;
@@ -243,29 +234,33 @@ export class Playground extends LitElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<div class="layout-${this.compact ? "narrow" : "wide"} ${this.rails ? "rails" : ""} ${this.bare ? "bare" : ""}" role="region" aria-label=${this.app.t("app.label")}
-        @parkade-menu=${({ detail }: CustomEvent<MenuRequest>) => this.ask(({ showMenu }) => showMenu(this.renderRoot, detail))}
-        @dragover=${this.onDragOver} @dragleave=${() => (this.dropping = false)} @drop=${this.onDrop}>
-      ${this.isFull && !this.bare ? html`<parkade-toolbar part="toolbar" .app=${this.app} .ready=${this.loaded} ?compact=${this.compact} ?rail=${this.rails} .inspecting=${this.inspecting}><slot name="toolbar-extra"></slot></parkade-toolbar>` : nothing}
-      <parkade-stage exportparts="panel, canvas" .app=${this.app} ?compact=${this.compact} .bare=${this.bare}></parkade-stage>
-      ${this.bare ? nothing : this.rest()}
+    const { app, compact, rails, bare } = this;
+    return html`<div class="layout-${compact ? "narrow" : "wide"} ${rails ? "rails" : ""} ${bare ? "bare" : ""}"
+        role="region" aria-label=${app.t("app.label")} @parkade-menu=${this.onMenu} @dragover=${this.onDragOver}
+        @dragleave=${() => (this.dropping = false)} @drop=${this.onDrop}>
+      ${
+        this.isFull && !bare
+          ? html`<parkade-toolbar part="toolbar" .app=${app} .ready=${this.loaded} ?compact=${compact} ?rail=${rails}
+            .inspecting=${this.inspecting}><slot name="toolbar-extra"></slot></parkade-toolbar>`
+          : nothing
+      }
+      <parkade-stage exportparts="panel, canvas" .app=${app} ?compact=${compact} .bare=${bare}></parkade-stage>
+      ${bare ? nothing : this.rest()}
     </div>`;
   }
 
   /** The controls around and over the maps. */
   private rest(): TemplateResult {
     return html`${this.compact ? narrow(this, this.app) : wide(this, this.app)}
-      <parkade-entry .app=${this.app}></parkade-entry>
-      <parkade-hints .app=${this.app}></parkade-hints>
+      <parkade-entry .app=${this.app}></parkade-entry> <parkade-hints .app=${this.app}></parkade-hints>
       <parkade-notices .app=${this.app}></parkade-notices>
       ${this.dropping ? html`<div class="dropping">${this.app.t("drop.here")}</div>` : nothing}
-      <parkade-presets .app=${this.app}></parkade-presets>
-      <parkade-keys .app=${this.app}></parkade-keys>
-      <parkade-papers .app=${this.app}></parkade-papers>
-      <parkade-image .app=${this.app}></parkade-image>
-      <parkade-context .app=${this.app}></parkade-context>
-      <parkade-import .app=${this.app}></parkade-import>
-      <input class="file" type="file" hidden multiple accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.dxf,.osm,.geojson,image/*" aria-label=${this.app.t("bar.open")} @change=${this.onFile}>`;
+      <parkade-presets .app=${this.app}></parkade-presets> <parkade-keys .app=${this.app}></parkade-keys>
+      <parkade-papers .app=${this.app}></parkade-papers> <parkade-image .app=${this.app}></parkade-image>
+      <parkade-context .app=${this.app}></parkade-context> <parkade-import .app=${this.app}></parkade-import>
+      <input class="file" type="file" hidden multiple
+        accept=".json,.map,.scen,.yaml,.yml,.pgm,.csv,.dxf,.osm,.geojson,image/*" aria-label=${this.app.t("bar.open")}
+        @change=${this.onFile}>`;
   }
 
   /** Takes language, theme, layout and planners from attributes and from the last visit. */
@@ -379,6 +374,9 @@ export class Playground extends LitElement {
     this.openFiles(input.files);
     input.value = "";
   };
+
+  private readonly onMenu = ({ detail }: CustomEvent<MenuRequest>): void =>
+    void this.ask(({ showMenu }) => showMenu(this.renderRoot, detail));
 
   private readonly onDragOver = (event: DragEvent): void => {
     if (!event.dataTransfer?.types.includes("Files")) return;

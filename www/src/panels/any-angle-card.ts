@@ -50,11 +50,21 @@ export class Yardstick extends AppElement {
       ${
         typeof metres === "number"
           ? html`<output>${this.num(metres, 2)} m</output>`
-          : html`<button class="link" ?disabled=${large || asked !== null} @click=${() => void this.measure()}>${say(lang, asked && metres === undefined ? "measuring" : "measure")}</button>`
+          : html`<button class="link" ?disabled=${large || asked !== null}
+            @click=${() => void this.measure()}>${say(
+              lang,
+              asked && metres === undefined ? "measuring" : "measure",
+            )}</button>`
       }</div>
       ${large ? html`<p>${say(lang, "large", { n: this.num(MOST, 0) })}</p>` : nothing}
       ${metres === null ? html`<p>${say(lang, "none")}</p>` : nothing}
-      ${metres && found !== null ? html`<p>${say(lang, "path", { share: `${found < metres ? "−" : "+"}${this.num(Math.abs(found / metres - 1) * 100, 1)}` })}</p>` : nothing}
+      ${
+        metres && found !== null
+          ? html`<p>${say(lang, "path", {
+              share: `${found < metres ? "−" : "+"}${this.num(Math.abs(found / metres - 1) * 100, 1)}`,
+            })}</p>`
+          : nothing
+      }
       <p>${say(lang, "doc")}</p>`;
   }
 

@@ -223,18 +223,36 @@ export class BayPanel extends AppElement {
       { asked, reachable, hard } = countBays(check),
       isRunning = check.done < check.of;
     return html`<button class="button back" @click=${this.back}>${icon("undo", 14)}${say(lang, "allBays")}</button>
-      <header><div class="row"><h2>${say(lang, "title")}</h2>${this.legend()}<button class="icon small" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${this.close}>${icon("close", 14)}</button></div>
-        <div class="row"><label><span class="side">${say(lang, "vehicle")}</span>${this.vehicles(check)}</label><label><span class="side">${say(lang, "entry")}</span>${this.entries(check)}</label></div>
-        <div class="row"><span class="sum" aria-live="polite">${asked > 0 ? html`${say(lang, "reachable", { n: reachable, of: asked })} · ${say(lang, "hard", { n: hard })}` : nothing}</span>
+      <header><div class="row"><h2>${say(lang, "title")}</h2>${this.legend()}<button class="icon small"
+        aria-label=${say(lang, "close")} title=${say(lang, "close")}
+        @click=${this.close}>${icon("close", 14)}</button></div>
+        <div class="row"><label><span
+          class="side">${say(lang, "vehicle")}</span>${this.vehicles(check)}</label><label><span
+          class="side">${say(lang, "entry")}</span>${this.entries(check)}</label></div>
+        <div class="row"><span class="sum" aria-live="polite">${
+          asked > 0
+            ? html`${say(lang, "reachable", { n: reachable, of: asked })} · ${say(lang, "hard", { n: hard })}`
+            : nothing
+        }</span>
           <span>${isRunning ? say(lang, "running", { done: check.done, of: check.of }) : nothing}</span></div></header>
-      <progress class=${isRunning ? "" : "done"} max=${check.of || 1} value=${check.done} aria-label=${say(lang, "running", { done: check.done, of: check.of })}></progress>
-      ${(scene.slots ?? []).length === 0 ? html`<p>${say(lang, "none")}</p>` : html`<div class="scroll" @pointerleave=${() => this.light(null)}>${this.table(lines, check)}</div>`}
-      <footer><button class="button outline" ?disabled=${isRunning} @click=${this.report}>${icon("file", 14)}${say(lang, "report")}</button><button class="button outline" ?disabled=${isRunning} @click=${this.csv}>${icon("export", 14)}${say(lang, "table")}</button></footer>`;
+      <progress class=${isRunning ? "" : "done"} max=${check.of || 1} value=${check.done}
+        aria-label=${say(lang, "running", { done: check.done, of: check.of })}></progress>
+      ${
+        (scene.slots ?? []).length === 0
+          ? html`<p>${say(lang, "none")}</p>`
+          : html`<div class="scroll" @pointerleave=${() => this.light(null)}>${this.table(lines, check)}</div>`
+      }
+      <footer><button class="button outline" ?disabled=${isRunning}
+        @click=${this.report}>${icon("file", 14)}${say(lang, "report")}</button><button class="button outline"
+        ?disabled=${isRunning} @click=${this.csv}>${icon("export", 14)}${say(lang, "table")}</button></footer>`;
   }
 
   private legend(): TemplateResult {
     const scheme = this.app.tokens().dark ? "dark" : "light";
-    return html`<span class="legend">${say(this.state.lang, "legend")} ${RAMP[scheme].map((fill, i) => html`<b .style=${`--fill:${fill};--ink:${nth(INK[scheme], i)}`}>${i < 3 ? i + 1 : ">3"}</b>`)}<b class="none" title=${say(this.state.lang, "outOfReach")}>✕</b></span>`;
+    return html`<span class="legend">${say(this.state.lang, "legend")}
+      ${RAMP[scheme].map(
+        (fill, i) => html`<b .style=${`--fill:${fill};--ink:${nth(INK[scheme], i)}`}>${i < 3 ? i + 1 : ">3"}</b>`,
+      )}<b class="none" title=${say(this.state.lang, "outOfReach")}>✕</b></span>`;
   }
 
   private vehicles({ vehicle }: BayCheck): TemplateResult {
@@ -243,12 +261,20 @@ export class BayPanel extends AppElement {
         { id: "own", title: say(lang, "own") },
         ...this.library.map(({ id, title }) => ({ id, title: title[lang] })),
       ];
-    return html`<select aria-label=${say(lang, "vehicle")} @change=${(event: Event) => this.choose(valueOf(event))}>${choices.map(({ id, title }) => html`<option value=${id} ?selected=${id === vehicle.id}>${title}</option>`)}</select>`;
+    return html`<select aria-label=${say(lang, "vehicle")}
+      @change=${(event: Event) => this.choose(valueOf(event))}>${choices.map(
+        ({ id, title }) => html`<option value=${id} ?selected=${id === vehicle.id}>${title}</option>`,
+      )}</select>`;
   }
 
   private entries(check: BayCheck): TemplateResult {
     const { lang } = this.state;
-    return html`<select aria-label=${say(lang, "entry")} @change=${(event: Event) => this.app.store.set({ bays: { ...check, entry: valueOf(event) as BayEntry } })}>${ENTRIES.map((entry) => html`<option value=${entry} ?selected=${entry === check.entry}>${say(lang, ENTRY_WORDS[entry])}</option>`)}</select>`;
+    return html`<select aria-label=${say(lang, "entry")}
+      @change=${(event: Event) =>
+        this.app.store.set({ bays: { ...check, entry: valueOf(event) as BayEntry } })}>${ENTRIES.map(
+        (entry) =>
+          html`<option value=${entry} ?selected=${entry === check.entry}>${say(lang, ENTRY_WORDS[entry])}</option>`,
+      )}</select>`;
   }
 
   private table(lines: readonly BayLine[], check: BayCheck): TemplateResult {
@@ -261,9 +287,12 @@ export class BayPanel extends AppElement {
       unit = UNITS[column],
       { order } = this,
       sorted = order.column === column ? (order.descends ? "descending" : "ascending") : "none";
-    return html`<th scope="col" aria-sort=${sorted}><button class="button" title=${say(lang, "sort", { column: heading(lang, column) })} @click=${() => {
-      this.order = { column, descends: order.column === column && !order.descends };
-    }}>${say(lang, column)}${sorted === "none" ? nothing : sorted === "ascending" ? " ↑" : " ↓"}${unit ? html`<small>${unit}</small>` : nothing}</button></th>`;
+    return html`<th scope="col" aria-sort=${sorted}><button class="button"
+      title=${say(lang, "sort", { column: heading(lang, column) })} @click=${() => {
+        this.order = { column, descends: order.column === column && !order.descends };
+      }}>${say(lang, column)}${
+        sorted === "none" ? nothing : sorted === "ascending" ? " ↑" : " ↓"
+      }${unit ? html`<small>${unit}</small>` : nothing}</button></th>`;
   }
 
   private line(line: BayLine, check: BayCheck): TemplateResult {
@@ -272,9 +301,16 @@ export class BayPanel extends AppElement {
     const name = `${index === check.lit ? "lit" : ""} ${check.stale.has(index) ? "stale" : ""}`,
       value = (number: number | null, digits: number): string => (number === null ? "–" : this.num(number, digits));
     return html`<tr class=${name} @click=${() => this.openPlan(line)} @pointerenter=${() => this.light(index, false)}>
-      <th scope="row"><button class="button" title=${say(lang, "show", { bay })} @focus=${() => this.light(index, false)}>${bay}</button></th>
+      <th scope="row"><button class="button" title=${say(lang, "show", { bay })}
+        @focus=${() => this.light(index, false)}>${bay}</button></th>
       <td>${this.moves(headIn)}</td><td>${this.moves(reverseIn)}</td>
-      ${best.reachable ? html`<td>${value(best.length, 1)}</td><td>${value(best.driveTime, 0)}</td><td>${value(best.clearance, 2)}</td>` : html`<td colspan="3" class="err">${reasonIn(lang, best.reason ?? "") || say(lang, "outOfReach")}</td>`}</tr>`;
+      ${
+        best.reachable
+          ? [value(best.length, 1), value(best.driveTime, 0), value(best.clearance, 2)].map(
+              (one) => html`<td>${one}</td>`,
+            )
+          : html`<td colspan="3" class="err">${reasonIn(lang, best.reason ?? "") || say(lang, "outOfReach")}</td>`
+      }</tr>`;
   }
 
   private moves(row: AuditRow | undefined): TemplateResult | string {

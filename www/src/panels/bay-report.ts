@@ -115,5 +115,7 @@ function tableOf(check: BayCheck, lang: Lang, title: string, note = ""): string 
     return `<tr>${cell(bay)}${cell(moves(headIn))}${cell(moves(reverseIn))}${figures}</tr>`;
   });
   const head = BAY_COLUMNS.map((column) => `<th>${escaped(heading(lang, column))}</th>`).join("");
-  return `<h1>${escaped(title)}</h1>${note && `<p>${escaped(note)}</p>`}<table><thead><tr>${head}</tr></thead><tbody>${rows.join("")}</tbody></table>`;
+  return `<h1>${escaped(title)}</h1>${
+    note && `<p>${escaped(note)}</p>`
+  }<table><thead><tr>${head}</tr></thead><tbody>${rows.join("")}</tbody></table>`;
 }

@@ -49,7 +49,8 @@ const KEYS: Record<BayOrder["column"], (line: BayLine) => number> = {
 /** One line a bay, vehicle and entry, for spreadsheets. */
 export function bayCsv(check: BayCheck): string {
   const head =
-    "bay,vehicle,entrance,entry,reachable,outcome,moves,length_m,time_s,clearance_m,out_reachable,out_moves,blocker,reason";
+    "bay,vehicle,entrance,entry,reachable,outcome,moves,length_m,time_s,clearance_m," +
+    "out_reachable,out_moves,blocker,reason";
   const quoted = (text: string): string => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const rows = [...check.rows.keys()].sort((a, b) => a - b).flatMap((index) => check.rows.get(index)!);
   return [

@@ -137,17 +137,37 @@ export class Charts extends AppElement {
         <span .style=${percent(yOf(plot, value))}>${this.num(value, digitsOf(plot))}</span>`,
             ),
       )}</div>
-      <div class="plots" role="img" aria-label="${isTime ? say(lang, "label") : this.t("chart.label")}: ${plots.map(({ quantity }) => this.name(quantity)).join(", ")}">
-        <svg class="all" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" @pointermove=${(e: On<SVGElement, PointerEvent>) => this.point(e, total)} @pointerleave=${() => this.app.store.set({ hover: null })}>
+      <div class="plots" role="img" aria-label="${isTime ? say(lang, "label") : this.t("chart.label")}: ${plots
+        .map(({ quantity }) => this.name(quantity))
+        .join(", ")}">
+        <svg class="all" viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none"
+          @pointermove=${(e: On<SVGElement, PointerEvent>) => this.point(e, total)}
+          @pointerleave=${() => this.app.store.set({ hover: null })}>
           <rect width=${WIDTH} height=${HEIGHT} fill="transparent"/>
           ${drawn}
-          ${position ? svg`<line class="cursor" x1=${(position.x / total) * WIDTH} x2=${(position.x / total) * WIDTH} y1="0" y2=${HEIGHT}/>` : nothing}
+          ${
+            position
+              ? svg`<line class="cursor" x1=${(position.x / total) * WIDTH} x2=${(position.x / total) * WIDTH} y1="0"
+                y2=${HEIGHT}/>`
+              : nothing
+          }
         </svg>
-        ${this.gears().changes.map((at) => html`<svg class="diamond" .style=${`transform:translateX(${(at / total) * 100}cqw)`} viewBox="0 0 10 10" aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`)}
+        ${this.gears().changes.map(
+          (at) =>
+            html`<svg class="diamond" .style=${`transform:translateX(${(at / total) * 100}cqw)`} viewBox="0 0 10 10"
+              aria-hidden="true"><path d="M5 0l5 5-5 5-5-5z"/></svg>`,
+        )}
         ${position ? plots.map((plot) => this.dot(plot, position, total)) : nothing}
-        <div class="axis" aria-hidden="true" .style=${`--unit:"${isTime ? "s" : "m"}"`}>${ticks(total).map((tick) => html`<span .style=${`--at:${(tick / total) * 100}cqw`}>${this.num(tick, 0)}</span>`)}</div>
+        <div class="axis" aria-hidden="true" .style=${`--unit:"${isTime ? "s" : "m"}"`}>${ticks(total).map(
+          (tick) => html`<span .style=${`--at:${(tick / total) * 100}cqw`}>${this.num(tick, 0)}</span>`,
+        )}</div>
       </div>
-      <div class="right"><span aria-hidden="true">${plots.map((plot) => html`<div .style=${percent(plot.top + plot.height / 2)}>${this.name(plot.quantity)}<b>${this.value(plot.quantity, position)}</b></div>`)}</span>
+      <div class="right"><span aria-hidden="true">${plots.map(
+        (plot) =>
+          html`<div .style=${percent(
+            plot.top + plot.height / 2,
+          )}>${this.name(plot.quantity)}<b>${this.value(plot.quantity, position)}</b></div>`,
+      )}</span>
         <span class="axes segmented" role="group" aria-label=${say(lang, "axis")}>${AXES.map(
           (one) =>
             html`<button aria-pressed=${one === this.axis} @click=${() => {
@@ -184,8 +204,14 @@ export class Charts extends AppElement {
     const rule = (value: number, name: string): SVGTemplateResult =>
       svg`<line class=${name} x1="0" x2=${WIDTH} y1=${yOf(plot, value)} y2=${yOf(plot, value)}/>`;
     const isLimited = plot.quantity === "curvature" || plot.quantity === "steering";
-    return svg`${isLimited ? [rule(plot.high, "limit"), rule(plot.low, "limit")] : nothing}${rule(0, "zero")}${plot.quantity === "clearance" && margin ? rule(margin, "limit") : nothing}
-      ${lines.map((line) => svg`<path class="line" d=${pathOf(plot, line, this.axis, total)} stroke=${line.colour} stroke-dasharray=${line.dash}/>`)}`;
+    return svg`${
+      isLimited ? [rule(plot.high, "limit"), rule(plot.low, "limit")] : nothing
+    }${rule(0, "zero")}${plot.quantity === "clearance" && margin ? rule(margin, "limit") : nothing}
+      ${lines.map(
+        (line) =>
+          svg`<path class="line" d=${pathOf(plot, line, this.axis, total)} stroke=${line.colour}
+            stroke-dasharray=${line.dash}/>`,
+      )}`;
   }
 
   /** Of the focused path, in the axis's unit. */
@@ -198,7 +224,9 @@ export class Charts extends AppElement {
   private reverse(total: number): SVGTemplateResult {
     const { reverse, changes } = this.gears(),
       x = (at: number): number => (at / total) * WIDTH;
-    return svg`${reverse.map(([from, to]) => svg`<rect class="band" x=${x(from)} width=${x(to - from)} y="0" height=${HEIGHT}/>`)}
+    return svg`${reverse.map(
+      ([from, to]) => svg`<rect class="band" x=${x(from)} width=${x(to - from)} y="0" height=${HEIGHT}/>`,
+    )}
       ${changes.map((at) => svg`<line class="cusp" x1=${x(at)} x2=${x(at)} y1="0" y2=${HEIGHT}/>`)}
       ${reverse.map(([from, to]) => svg`<line class="reverse" x1=${x(from)} x2=${x(to)} y1=${HEIGHT} y2=${HEIGHT}/>`)}`;
   }
@@ -234,7 +262,11 @@ export class Charts extends AppElement {
     const line = this.focused(),
       value = line ? valueAt(line, plot.quantity, position) : null;
     if (value === null) return nothing;
-    return html`<i class="dot" .style=${`transform:translate(${(position.x / total) * 100}cqw,calc((100cqh - 26px) * ${yOf(plot, value) / HEIGHT}));border-color:${plannerColour(this.state.focus)}`}></i>`;
+    return html`<i class="dot"
+      .style=${
+        `transform:translate(${(position.x / total) * 100}cqw,calc((100cqh - 26px) ` +
+        `* ${yOf(plot, value) / HEIGHT}));border-color:${plannerColour(this.state.focus)}`
+      }></i>`;
   }
 
   private value(quantity: Quantity, position: Position | null): string {
@@ -243,7 +275,10 @@ export class Charts extends AppElement {
     const value = valueAt(line, quantity, position);
     if (value === null) return quantity === "curvature" && line.plan ? this.t("table.corner") : "–";
     const unit = UNITS[quantity];
-    return `${this.num(value, quantity === "curvature" ? 3 : quantity.startsWith("steering") ? 1 : 2)}${unit.startsWith("°") ? "" : " "}${unit}`;
+    return `${this.num(
+      value,
+      quantity === "curvature" ? 3 : quantity.startsWith("steering") ? 1 : 2,
+    )}${unit.startsWith("°") ? "" : " "}${unit}`;
   }
 
   private point(event: On<SVGElement, PointerEvent>, total: number): void {

@@ -82,7 +82,9 @@ export class Choices extends AppElement {
       } = this,
       list = choices?.[asked];
     if (!list || list.length < 2 || hidden.has(asked)) return nothing;
-    return html`<div role="group" aria-label=${say(lang, "label", { planner: plannerName(lang, asked) })}>${list.map((choice) => this.chip(choice))}</div>`;
+    return html`<div role="group" aria-label=${say(lang, "label", {
+      planner: plannerName(lang, asked),
+    })}>${list.map((choice) => this.chip(choice))}</div>`;
   }
 
   private get asked(): PlannerId {
@@ -102,7 +104,8 @@ export class Choices extends AppElement {
     const title = say(lang, "title", { ...values, what, proof });
     return html`<button aria-pressed=${isChosen} title=${title} aria-label=${title}
       @click=${() => this.choose(isOrdinary ? undefined : by[0])}
-      @pointerenter=${() => this.preview(plan)} @pointerleave=${() => this.preview(null)} @focus=${() => this.preview(plan)} @blur=${() => this.preview(null)}
+      @pointerenter=${() => this.preview(plan)} @pointerleave=${() => this.preview(null)}
+      @focus=${() => this.preview(plan)} @blur=${() => this.preview(null)}
     >${say(lang, isWidest ? "clear" : n === 0 ? "none" : "changes", values)}</button>`;
   }
 

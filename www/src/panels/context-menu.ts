@@ -79,10 +79,20 @@ export class ContextMenu extends AppElement {
       store.set({ toolOptions: { ...toolOptions, [name]: !toolOptions[name] } });
     return html`<div class="popover" role="menu" aria-label=${say(this.state.lang, "menu")} @keydown=${this.onKey}>
       ${some ? html`${this.command("duplicate")}${this.command("remove")}` : nothing}
-      ${slot && !slot.occupied ? this.item("slot", "slotGoal", null, () => store.edit(setGoalFromSlot(scene, slot.id), { label: "goal" })) : nothing}
+      ${
+        slot && !slot.occupied
+          ? this.item("slot", "slotGoal", null, () => store.edit(setGoalFromSlot(scene, slot.id), { label: "goal" }))
+          : nothing
+      }
       ${this.goals(request)}
       ${isPose(selection) && selection.kind === "goal" ? this.command("flip") : nothing}
-      ${some || isPose(selection) ? html`<hr>` : html`${this.item("car", "startHere", "placeStart", () => place("start"))}${this.item("car", "goalHere", "placeGoal", () => place("goal"))}<hr>`}
+      ${
+        some || isPose(selection)
+          ? html`<hr>`
+          : html`${this.item("car", "startHere", "placeStart", () =>
+              place("start"),
+            )}${this.item("car", "goalHere", "placeGoal", () => place("goal"))}<hr>`
+      }
       ${this.command("undo")}${this.command("selectAll")}${this.command("fit")}
       ${this.check("snap", toolOptions.snap, () => toggle("snap"))}
       ${penSeen ? this.check("pen", toolOptions.penDraws, () => toggle("penDraws")) : nothing}</div>`;
@@ -139,10 +149,13 @@ export class ContextMenu extends AppElement {
     run: () => void,
     disabled = false,
   ): TemplateResult {
-    return html`<button class="item" role="menuitem" ?disabled=${disabled} aria-keyshortcuts=${keyed ? ariaKeys(keyed) : nothing} @click=${() => {
-      this.close();
-      run();
-    }}>${icon(name)}${text}${keyed ? html`<span class="keys" aria-hidden="true">${shownChord(nth(keyed.keys, 0))}</span>` : nothing}</button>`;
+    return html`<button class="item" role="menuitem" ?disabled=${disabled}
+      aria-keyshortcuts=${keyed ? ariaKeys(keyed) : nothing} @click=${() => {
+        this.close();
+        run();
+      }}>${icon(name)}${text}${
+        keyed ? html`<span class="keys" aria-hidden="true">${shownChord(nth(keyed.keys, 0))}</span>` : nothing
+      }</button>`;
   }
 
   private check(key: "snap" | "pen", on: boolean, run: () => void): TemplateResult {

@@ -21,8 +21,14 @@ export function saveButtons(lang: Lang, { planner, replay }: Session): TemplateR
     isPosthoc = trace.kind === "search" && samplingOf(replay) !== "candidates";
   const save = (text: string, ending: string): void =>
     download(new Blob([text], { type: "application/json" }), `${planner}-search${ending}`);
-  return html`<button class="button outline" @click=${() => save(traceAsJson(planner, trace), ".json")}>${say(lang, "export.json")}</button>
-    ${isPosthoc ? html`<button class="button outline" @click=${() => save(traceForPosthoc(trace), ".trace.json")}>${say(lang, "export.posthoc")}</button>` : nothing}`;
+  return html`<button class="button outline" @click=${() =>
+    save(traceAsJson(planner, trace), ".json")}>${say(lang, "export.json")}</button>
+    ${
+      isPosthoc
+        ? html`<button class="button outline" @click=${() =>
+            save(traceForPosthoc(trace), ".trace.json")}>${say(lang, "export.posthoc")}</button>`
+        : nothing
+    }`;
 }
 
 /** The size of the recording, and whether its counters are those of the plan. */

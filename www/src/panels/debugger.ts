@@ -8,10 +8,10 @@ import { forPlanners } from "../scene/large-scene";
 import { resolve } from "../scene/model";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
-import { icon, marker, type IconName } from "../styles/icons";
+import { icon, marker } from "../styles/icons";
 import { hasField, plannerName } from "../styles/planner-style";
 import { eventLine } from "../texts/search-steps";
-import { placeOf, say } from "../texts/search-words";
+import { say } from "../texts/search-words";
 import { drawExplained } from "../view/layers/explained";
 import { drawBreakpoints } from "../view/layers/breakpoints";
 import { drawPoseStep } from "../view/layers/pose-steps";
@@ -19,15 +19,14 @@ import { MAX_SCALE } from "../view/camera";
 import { SearchStepsLayer } from "../view/layers/search-steps";
 import type { Frame } from "../view/frame";
 import { AppElement } from "./base";
+import { breakpoints, transport } from "./debugger-controls";
 import { connectionCard, obstacleName } from "./debugger-connection";
-import { code, estimatesCard, fieldCard, legend, movesTable, openTable, unitsOf, variables } from "./debugger-parts";
-import { POSE_RADIUS, Session, SPEEDS, type Breakpoints } from "./debugger-session";
+import { code, estimatesCard, fieldCard, movesTable, openTable, variables } from "./debugger-parts";
+import { POSE_RADIUS, Session } from "./debugger-session";
 import { bytesOf, recordingNote, saveButtons } from "./debugger-recording";
 import { debuggerStyles, room } from "./debugger-styles";
-import { numberOf, valueOf } from "./inputs";
 import { nth } from "../scene/nth";
 import { rootOf } from "./beside";
-import { chosenOf } from "./chosen";
 import { reasonIn } from "../i18n/index";
 
 /** A recording of more than this is asked for, bytes. */
@@ -40,16 +39,6 @@ const ZOOMED_PX = 84;
 const EDGE_PX = 24;
 /** Pixels a metre where a car's moves are looked at. */
 const CAR_SCALE = 40;
-
-const UNIT_KEYS = {
-  step: "unit.step",
-  move: "unit.move",
-  improved: "unit.improved",
-  tie: "unit.tie",
-  refused: "unit.refused",
-  held: "unit.held",
-  failure: "unit.failure",
-} as const;
 
 /** The search debugger: walks through a planner's search beside its map. */
 export class Debugger extends AppElement {
@@ -253,9 +242,19 @@ export class Debugger extends AppElement {
   protected override render(): TemplateResult {
     const { lang, focus } = this.state,
       { session } = this;
-    return html`<section class="head"><h2>${marker(focus)}${say(lang, "title")}</h2><span class="who">${plannerName(lang, focus)}</span>
-        <button class="icon" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => this.remove()}>${icon("close")}</button></section>
-      ${session ? this.walk(session) : html`<section><p role="status">${this.waiting()}</p>${this.asked === null ? nothing : html`<button class="button outline" @click=${this.record}>${say(lang, "record")}</button>`}</section>`}`;
+    return html`<section class="head"><h2>${marker(focus)}${say(lang, "title")}</h2><span
+      class="who">${plannerName(lang, focus)}</span>
+        <button class="icon" aria-label=${say(lang, "close")} title=${say(lang, "close")}
+          @click=${() => this.remove()}>${icon("close")}</button></section>
+      ${
+        session
+          ? this.walk(session)
+          : html`<section><p role="status">${this.waiting()}</p>${
+              this.asked === null
+                ? nothing
+                : html`<button class="button outline" @click=${this.record}>${say(lang, "record")}</button>`
+            }</section>`
+      }`;
   }
 
   private waiting(): string {
@@ -267,67 +266,38 @@ export class Debugger extends AppElement {
   private walk(session: Session): TemplateResult {
     const { lang } = this.state,
       { replay } = session;
-    return html`<section class="transport">${this.transport(session)}</section>
-      <section class="event"><p aria-live="polite">${session.stopped ? html`<b>${say(lang, "breaks.hit")}</b> ` : nothing}${eventLine(lang, replay, session.unit === "move")}</p></section>
-      ${replay.trace.kind === "poses" ? html`<section>${connectionCard(this.state, replay, this.failures?.at(replay.step) ?? null)}<p class="note">${say(lang, replay.sides.length > 1 ? "arcs.fromBoth" : replay.trace.fromGoal ? "arcs.fromGoal" : "arcs.fromStart")} ${say(lang, "arcs.steps")}</p></section>` : nothing}
+    return html`<section class="transport">${transport(lang, session, () => this.requestUpdate())}</section>
+      <section class="event"><p aria-live="polite">${
+        session.stopped ? html`<b>${say(lang, "breaks.hit")}</b> ` : nothing
+      }${eventLine(lang, replay, session.unit === "move")}</p></section>
+      ${
+        replay.trace.kind === "poses"
+          ? html`<section>${connectionCard(
+              this.state,
+              replay,
+              this.failures?.at(replay.step) ?? null,
+            )}<p class="note">${say(
+              lang,
+              replay.sides.length > 1 ? "arcs.fromBoth" : replay.trace.fromGoal ? "arcs.fromGoal" : "arcs.fromStart",
+            )} ${say(lang, "arcs.steps")}</p></section>`
+          : nothing
+      }
       ${this.field ? html`<section class="field-card">${fieldCard(lang, this.field)}</section>` : nothing}
       <section>${movesTable(lang, replay)}</section>
       <section>${code(lang, replay, session.unit === "move")}${variables(lang, replay)}</section>
       <section>${replay.sides.map((_, side) => openTable(lang, replay, side))}</section>
       ${estimatesCard(lang, replay, this.goalCell())}
-      <section>${this.breakpoints(session)}</section>
-      <section class="foot"><div class="rows"><button class="button outline" @click=${this.zoom}>${say(lang, replay.trace.kind === "poses" ? "zoomPose" : "zoom")}</button>${saveButtons(lang, session)}</div>
+      <section>${breakpoints(lang, session, {
+        isPicking: this.picking,
+        pick: this.pick,
+        shown: () => this.show(),
+      })}</section>
+      <section class="foot"><div class="rows"><button class="button outline"
+        @click=${this.zoom}>${say(
+          lang,
+          replay.trace.kind === "poses" ? "zoomPose" : "zoom",
+        )}</button>${saveButtons(lang, session)}</div>
         <p class="note">${recordingNote(this.state, session)}</p></section>`;
-  }
-
-  private transport(session: Session): TemplateResult {
-    const { lang } = this.state,
-      { replay } = session;
-    const press = (
-      name: IconName,
-      key: "first" | "back" | "run" | "pause" | "next" | "last",
-      run: () => void,
-    ): TemplateResult =>
-      html`<button class="icon" aria-label=${say(lang, key)} title=${say(lang, key)} @click=${run}>${icon(name)}</button>`;
-    return html`<div class="keys-row">
-        ${press("first", "first", () => session.seek(0))}${press("back", "back", () => session.move(-1))}
-        ${press(session.isRunning ? "pause" : "play", session.isRunning ? "pause" : "run", () => {
-          session.toggle();
-          this.requestUpdate();
-        })}
-        ${press("next", "next", () => session.move(1))}${press("last", "last", () => session.seek(replay.events))}
-        <select aria-label=${say(lang, "unit")} title=${say(lang, "unit")} @change=${(e: Event) => {
-          session.unit = chosenOf(e, unitsOf(replay));
-        }}>${unitsOf(replay).map((unit) => html`<option value=${unit} ?selected=${unit === session.unit}>${say(lang, UNIT_KEYS[unit])}</option>`)}</select>
-        <select aria-label=${say(lang, "speed")} title=${say(lang, "speed")} @change=${(e: Event) => {
-          session.speed = numberOf(e);
-        }}>${SPEEDS.map((speed) => html`<option value=${speed} ?selected=${speed === session.speed}>${speed}/s</option>`)}</select></div>
-      <input class="slider" type="range" min="0" max=${replay.events} .value=${String(replay.at)} .style=${`--at:${(100 * replay.at) / Math.max(1, replay.events)}%`} aria-label=${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}
-        @input=${(e: Event) => session.seek(numberOf(e))}>
-      <p class="note">${say(lang, "position", { step: replay.step + 1, steps: replay.steps })}</p>
-      ${legend(lang, replay)}`;
-  }
-
-  private breakpoints(session: Session): TemplateResult {
-    const { lang } = this.state,
-      { breaks, replay } = session;
-    const set = (patch: Partial<Breakpoints>): void => {
-      session.breaks = { ...breaks, ...patch };
-      this.show();
-    };
-    const cells = [...breaks.cells],
-      { points } = breaks;
-    const chip = (place: string, without: Partial<Breakpoints>): TemplateResult =>
-      html`<button class="chip" aria-label=${say(lang, "breaks.remove", { place })} @click=${() => set(without)}>${place} ✕</button>`;
-    const hasPoses = replay.trace.kind === "poses";
-    return html`<h3>${say(lang, "breaks")}</h3>
-      <div class="rows"><button class="button outline" aria-pressed=${this.picking} @click=${this.pick}>${say(lang, hasPoses ? "breaks.pose" : "breaks.cell")}</button>
-        ${cells.map((node) => chip(placeOf(lang, replay, 0, node), { cells: new Set(cells.filter((one) => one !== node)) }))}
-        ${points.map((point) => chip(`(${this.num(point.x, 2)}, ${this.num(point.y, 2)})`, { points: points.filter((one) => one !== point) }))}</div>
-      ${this.picking ? html`<p class="note">${hasPoses ? say(lang, "breaks.pickPose", { r: this.num(POSE_RADIUS, 1) }) : say(lang, "breaks.pick")}</p>` : nothing}
-      <label class="check">${say(lang, "breaks.f")}<span class="field"><input inputmode="decimal" .value=${breaks.f === null ? "" : String(breaks.f / replay.trace.unit)} @change=${(e: Event) => set({ f: Number.isNaN(numberOf(e)) || valueOf(e) === "" ? null : numberOf(e) * replay.trace.unit })}></span></label>
-      <label class="check"><input type="checkbox" .checked=${breaks.improved} @change=${() => set({ improved: !breaks.improved })}>${say(lang, "breaks.improved")}</label>
-      ${replay.sides.length > 1 ? html`<label class="check"><input type="checkbox" .checked=${breaks.meet} @change=${() => set({ meet: !breaks.meet })}>${say(lang, "breaks.meet")}</label>` : nothing}`;
   }
 
   /** The next click on the map chooses a cell or, of a search for a car, a point. */

@@ -27,7 +27,8 @@ export abstract class DialogElement extends AppElement {
   readonly close = (): void => this.dialog?.close();
 
   protected override render(): TemplateResult {
-    return html`<dialog aria-labelledby="title" @close=${this.onClose} @click=${this.onPress}>${this.shown ? this.content() : nothing}</dialog>`;
+    return html`<dialog aria-labelledby="title" @close=${this.onClose}
+      @click=${this.onPress}>${this.shown ? this.content() : nothing}</dialog>`;
   }
 
   protected abstract content(): TemplateResult;

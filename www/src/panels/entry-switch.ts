@@ -71,8 +71,12 @@ export class EntrySwitch extends AppElement {
             : "reverse-in"
           : "head-in";
     const title = say(lang, "title", { now: say(lang, goal.entry), next: say(lang, next) });
-    return html`<button class=${this.spot ? "" : "out"} aria-label=${title} aria-keyshortcuts="X" title="${title} · X" .style=${`left:${this.spot?.x ?? 0}px;top:${this.spot?.y ?? 0}px`}
-      @click=${() => this.app.store.edit(withEntry(this.state.scene, next), { label: "entry" })}>${icon("flip", 14)}${say(lang, goal.entry)}</button>`;
+    return html`<button class=${this.spot ? "" : "out"} aria-label=${title} aria-keyshortcuts="X" title="${title} · X"
+      .style=${`left:${this.spot?.x ?? 0}px;top:${this.spot?.y ?? 0}px`}
+      @click=${() =>
+        this.app.store.edit(withEntry(this.state.scene, next), {
+          label: "entry",
+        })}>${icon("flip", 14)}${say(lang, goal.entry)}</button>`;
   }
 
   protected override updated(): void {

@@ -66,7 +66,12 @@ export class FailureLine extends AppElement {
     const plan = state.results[asked]?.plan,
       failure = plan && failureOf(state.scene, plan);
     return html`<div class="err">${icon("warning", 12)}<p title=${whyOf(state, asked)}>${why}</p>
-      ${failure ? html`<button title=${say(state.lang, "where")} aria-label=${say(state.lang, "where")} @click=${this.show}>${say(state.lang, "show")}</button>` : nothing}</div>`;
+      ${
+        failure
+          ? html`<button title=${say(state.lang, "where")} aria-label=${say(state.lang, "where")}
+            @click=${this.show}>${say(state.lang, "show")}</button>`
+          : nothing
+      }</div>`;
   }
 
   private readonly show = (): void => {

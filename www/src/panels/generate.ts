@@ -102,7 +102,9 @@ export class Generate extends AppElement {
     const { lang } = this.state;
     const random = this.family === "random";
     return html`<form novalidate aria-labelledby="heading" @submit=${this.submit}>
-      <div class="picture">${this.drawn ? html`<parkade-thumbnail .app=${this.app} .scene=${this.drawn} whole></parkade-thumbnail>` : nothing}</div>
+      <div class="picture">${
+        this.drawn ? html`<parkade-thumbnail .app=${this.app} .scene=${this.drawn} whole></parkade-thumbnail>` : nothing
+      }</div>
       <div class="words"><h3 id="heading">${say(lang, "title")}</h3><p>${say(lang, "lead")}</p>
         <div class="segmented" role="group" aria-label=${say(lang, "family")}>${FAMILIES.map(
           (one) => html`
@@ -112,16 +114,30 @@ export class Generate extends AppElement {
           }}>${say(lang, one)}</button>`,
         )}</div>
         <div class="fields">${this.field("size")}
-          <span class="seed">${this.field("seed")}<button type="button" class="icon small" aria-label=${say(lang, "nextSeed")} title=${say(lang, "nextSeed")} @click=${this.nextSeed}>${icon("next")}</button></span></div>
-        ${random ? html`<div class="fields">${this.field("densityPermille", "‰")}${this.field("blockMin")}${this.field("blockMax", say(lang, "cells"))}</div>` : nothing}
-        <div class="fault" role="alert" id="fault">${this.fault ? html`${icon("warning", 14)}<span>${this.faultText()}</span>` : nothing}</div>
+          <span class="seed">${this.field("seed")}<button type="button" class="icon small"
+            aria-label=${say(lang, "nextSeed")} title=${say(lang, "nextSeed")}
+            @click=${this.nextSeed}>${icon("next")}</button></span></div>
+        ${
+          random
+            ? html`<div class="fields">${this.field("densityPermille", "‰")}${this.field("blockMin")}${this.field(
+                "blockMax",
+                say(lang, "cells"),
+              )}</div>`
+            : nothing
+        }
+        <div class="fault" role="alert" id="fault">${
+          this.fault ? html`${icon("warning", 14)}<span>${this.faultText()}</span>` : nothing
+        }</div>
         <button class="button solid">${say(lang, "open")}</button></div></form>`;
   }
 
   private field(name: Field, unit = ""): TemplateResult {
     const bad = this.fault?.path === name;
-    return html`<label>${say(this.state.lang, name)}<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" name=${name} .value=${this.values[name]} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
-      @input=${(e: Event) => this.type(name, valueOf(e))}>${unit ? html`<span>${unit}</span>` : nothing}</span></label>`;
+    return html`<label>${say(this.state.lang, name)}<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric"
+      name=${name} .value=${this.values[name]} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
+      @input=${(e: Event) => this.type(name, valueOf(e))}>${
+        unit ? html`<span>${unit}</span>` : nothing
+      }</span></label>`;
   }
 
   private faultText(): string {

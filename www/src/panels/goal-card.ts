@@ -73,14 +73,27 @@ export class GoalCard extends AppElement {
             )
           : nothing
       }
-      ${"x" in goal ? html`<div class="row"><button class="button outline small" @click=${() => this.edit(flipGoal(scene))}>${icon("flip", 14)}${this.t("inspect.flips")}</button></div>` : nothing}
+      ${
+        "x" in goal
+          ? html`<div class="row"><button class="button outline small"
+            @click=${() => this.edit(flipGoal(scene))}>${icon("flip", 14)}${this.t("inspect.flips")}</button></div>`
+          : nothing
+      }
       ${
         "region" in goal
           ? html`<div class="row"><label><input type="checkbox" .checked=${goal.heading !== undefined}
-        @change=${(e: Event) => this.edit(anywhereIn(scene, goal.region, isChecked(e) ? goalPose(scene).heading : undefined))}>${say(this.state.lang, "heading")}</label></div>`
+            @change=${(e: Event) =>
+              this.edit(
+                anywhereIn(scene, goal.region, isChecked(e) ? goalPose(scene).heading : undefined),
+              )}>${say(this.state.lang, "heading")}</label></div>`
           : nothing
       }
-      ${slotOfStart(scene) && kind !== "region" ? html`<div class="row"><button class="button outline small" @click=${() => this.edit(leaveSlot(scene))}>${say(this.state.lang, "leave")}</button></div>` : nothing}`;
+      ${
+        slotOfStart(scene) && kind !== "region"
+          ? html`<div class="row"><button class="button outline small"
+            @click=${() => this.edit(leaveSlot(scene))}>${say(this.state.lang, "leave")}</button></div>`
+          : nothing
+      }`;
   }
 
   private choice<Name extends GoalKind | AnyEntry>(
@@ -88,10 +101,12 @@ export class GoalCard extends AppElement {
     options: readonly (readonly [Name, () => Scene, string])[],
     chosen: string,
   ): TemplateResult {
-    return html`<div class="row"><div class="segmented" role="group" aria-label=${say(this.state.lang, label)}>${options.map(
-      ([name, scene, text]) =>
-        html`<button aria-pressed=${name === chosen} @click=${() => name !== chosen && this.edit(scene())}>${text}</button>`,
-    )}</div></div>`;
+    return html`<div class="row"><div class="segmented" role="group"
+      aria-label=${say(this.state.lang, label)}>${options.map(
+        ([name, scene, text]) =>
+          html`<button aria-pressed=${name === chosen}
+            @click=${() => name !== chosen && this.edit(scene())}>${text}</button>`,
+      )}</div></div>`;
   }
 
   private slotsName(): string {

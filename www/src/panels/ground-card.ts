@@ -30,7 +30,8 @@ export class GroundCard extends AppElement {
   static override styles = [
     controls,
     sections,
-    css`.bad { border-color: var(--parkade-err); } [role="alert"] { color: var(--parkade-err); } @media (pointer: coarse) { .row .field { height: 44px; } }`,
+    css`.bad { border-color: var(--parkade-err); } [role="alert"] { color: var(--parkade-err); }
+    @media (pointer: coarse) { .row .field { height: 44px; } }`,
   ];
   /** What was typed last, and why it cannot be. */
   declare refused: { field: Field; text: string; reason: string } | null;
@@ -48,7 +49,9 @@ export class GroundCard extends AppElement {
   protected override render(): TemplateResult | typeof nothing {
     const { refused } = this,
       rows = keysOf(FIELDS).map((field) => this.field(field));
-    return html`<div class="row">${rows}</div>${refused ? html`<div class="row"><p id="why" role="alert">${refused.reason}</p></div>` : nothing}`;
+    return html`<div class="row">${rows}</div>${
+      refused ? html`<div class="row"><p id="why" role="alert">${refused.reason}</p></div>` : nothing
+    }`;
   }
 
   private field(field: Field): TemplateResult {
@@ -56,8 +59,10 @@ export class GroundCard extends AppElement {
       side = this.sideOf(field),
       bad = this.refused?.field === field,
       size = sizeAlong(box, axisOf(FIELDS[field][0]));
-    return html`<label class="field ${bad ? "bad" : ""}"><span>${this.t(`ground.${field}`)}</span><input type="number" step="0.1" ?disabled=${!side}
-      .value=${bad ? this.refused!.text : String(Math.round(size * 1000) / 1000)} aria-invalid=${bad} aria-describedby=${bad ? "why" : nothing}
+    return html`<label class="field ${bad ? "bad" : ""}"><span>${this.t(`ground.${field}`)}</span><input type="number"
+      step="0.1" ?disabled=${!side}
+      .value=${bad ? this.refused!.text : String(Math.round(size * 1000) / 1000)} aria-invalid=${bad}
+      aria-describedby=${bad ? "why" : nothing}
       @change=${(e: Event) => this.type(field, valueOf(e))}><span>m</span></label>`;
   }
 

@@ -63,7 +63,9 @@ export class GuestCard extends AppElement {
       { smoothed, plan } = results[focus] ?? {},
       ours = smoothed?.of === plan ? smoothed?.trajectory?.check : undefined;
     const remove = say(lang, "remove", { name });
-    return html`<div class="head"><h2 title=${name}><span>${name}</span></h2><button class="icon small" aria-label=${remove} title=${remove} @click=${() => removeTrajectory(this.app)}>${icon("trash", 14)}</button></div>
+    return html`<div class="head"><h2 title=${name}><span>${name}</span></h2><button class="icon small"
+      aria-label=${remove} title=${remove} @click=${() =>
+        removeTrajectory(this.app)}>${icon("trash", 14)}</button></div>
       <p class=${verdict.passes ? "" : "err"} role="status">${say(lang, verdict.passes ? "passes" : "fails")} ${
         verdict.firstContact
           ? say(lang, "contact", {
@@ -73,8 +75,15 @@ export class GuestCard extends AppElement {
           : nothing
       }</p>
       <table><caption class="sr">${say(lang, "title")}</caption>
-        <thead><tr><td></td><th scope="col" title=${name}>${name}</th>${ours ? html`<th scope="col">${shortName(lang, focus)}</th>` : nothing}</tr></thead>
-        <tbody>${ROWS.map(([key, value, digits = 0]) => html`<tr><th scope="row">${say(lang, key)}</th><td>${this.text(value(verdict), digits)}</td>${ours ? html`<td>${this.text(value(ours), digits)}</td>` : nothing}</tr>`)}</tbody></table>`;
+        <thead><tr><td></td><th scope="col" title=${name}>${name}</th>${
+          ours ? html`<th scope="col">${shortName(lang, focus)}</th>` : nothing
+        }</tr></thead>
+        <tbody>${ROWS.map(
+          ([key, value, digits = 0]) =>
+            html`<tr><th scope="row">${say(lang, key)}</th><td>${this.text(value(verdict), digits)}</td>${
+              ours ? html`<td>${this.text(value(ours), digits)}</td>` : nothing
+            }</tr>`,
+        )}</tbody></table>`;
   }
 
   private text(value: number | boolean, digits: number): string {

@@ -104,8 +104,10 @@ export class Hints extends AppElement {
     if (!step) return nothing;
     const text = bubble?.text ?? this.t(step, { planner: "" });
     return html`${bubble ? arrow(bubble) : nothing}
-      <div role="status" class=${bubble ? "" : "out"} .style=${`left:${bubble?.x ?? 0}px;top:${bubble?.y ?? 0}px`}>${text}
-        <button aria-label=${say(this.state.lang, "close")} @click=${() => this.dismiss()}>${icon("close", 12)}</button></div>`;
+      <div role="status" class=${bubble ? "" : "out"}
+        .style=${`left:${bubble?.x ?? 0}px;top:${bubble?.y ?? 0}px`}>${text}
+        <button aria-label=${say(this.state.lang, "close")}
+          @click=${() => this.dismiss()}>${icon("close", 12)}</button></div>`;
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -212,7 +214,12 @@ export class Hints extends AppElement {
 
 /** From the bubble to its thing, however far it stands. */
 function arrow({ tip: [x, y], to: [toX, toY] }: Spot): TemplateResult {
-  return html`<u .style=${`left:${Math.min(x, toX)}px;top:${Math.min(y, toY)}px;width:${Math.abs(toX - x)}px;height:${Math.abs(toY - y)}px`}></u><i .style=${`left:${x}px;top:${y}px`}></i>`;
+  return html`<u
+    .style=${
+      `left:${Math.min(x, toX)}px;top:${Math.min(y, toY)}px;width:${Math.abs(toX - x)}px;` +
+      `height:${Math.abs(toY - y)}px`
+    }></u><i
+    .style=${`left:${x}px;top:${y}px`}></i>`;
 }
 
 customElements.define("parkade-hints", Hints);

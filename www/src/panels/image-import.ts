@@ -93,10 +93,16 @@ export class ImageDialog extends DialogElement {
         <div class="picture"><canvas role="img" aria-label=${say(lang, "preview")}></canvas></div>
         <div>
           <label><span>${say(lang, "threshold")}<output>${options.threshold}</output></span>
-            <input class="slider" type="range" min="1" max="255" .value=${String(options.threshold)} .style=${`--at: ${(options.threshold / 255) * 100}%`} @input=${(e: Event) => this.set({ threshold: numberOf(e) })}></label>
-          <label class="check"><input type="checkbox" .checked=${options.invert} @change=${(e: Event) => this.set({ invert: isChecked(e) })}>${say(lang, "invertOn")}</label>
-          <label>${say(lang, "metres")}<span class="field"><input type="number" min="0.001" max="100" step="0.01" .value=${String(options.metres)} aria-invalid=${bad} @input=${(e: Event) => this.set({ metres: numberOf(e) })}><span>m</span></span></label>
-          <label>${say(lang, "perCell")}<span class="field"><input type="number" min="1" max="64" step="1" .value=${String(options.perCell)} @change=${this.coarsen}></span></label>
+            <input class="slider" type="range" min="1" max="255" .value=${String(options.threshold)}
+              .style=${`--at: ${(options.threshold / 255) * 100}%`}
+              @input=${(e: Event) => this.set({ threshold: numberOf(e) })}></label>
+          <label class="check"><input type="checkbox" .checked=${options.invert}
+            @change=${(e: Event) => this.set({ invert: isChecked(e) })}>${say(lang, "invertOn")}</label>
+          <label>${say(lang, "metres")}<span class="field"><input type="number" min="0.001" max="100" step="0.01"
+            .value=${String(options.metres)} aria-invalid=${bad}
+            @input=${(e: Event) => this.set({ metres: numberOf(e) })}><span>m</span></span></label>
+          <label>${say(lang, "perCell")}<span class="field"><input type="number" min="1" max="64" step="1"
+            .value=${String(options.perCell)} @change=${this.coarsen}></span></label>
           ${bad ? html`<p class="warn" role="alert">${say(lang, "bad")}</p>` : this.summary()}
           <button class="button solid" ?disabled=${bad}>${say(lang, "open")}</button>
         </div></form>`;
@@ -117,7 +123,9 @@ export class ImageDialog extends DialogElement {
       up: this.num(height * resolution, 1),
       share: this.num((100 * made.blocked) / made.cells, 0),
     });
-    return html`<p aria-live="polite">${text}</p>${made.roomy ? nothing : html`<p class="warn">${say(lang, "tight")}</p>`}`;
+    return html`<p aria-live="polite">${text}</p>${
+      made.roomy ? nothing : html`<p class="warn">${say(lang, "tight")}</p>`
+    }`;
   }
 
   protected override updated(): void {

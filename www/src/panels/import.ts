@@ -231,13 +231,23 @@ export class ImportBar extends AppElement {
     const { queries, scenes, name } = opened;
     const many = queries.length || scenes.length;
     if (many < 2) return nothing;
-    return html`<div class="bar" role="group" aria-label=${say(lang, queries.length ? "queries" : "scenes")}><b title=${name}>${name.split(", ")[0]}</b>
+    return html`<div class="bar" role="group" aria-label=${say(
+      lang,
+      queries.length ? "queries" : "scenes",
+    )}><b title=${name}>${name.split(", ")[0]}</b>
       ${queries.length ? this.groups(queries) : this.names(scenes)}
       <span class="step">${this.button("back", "previous", this.at - 1, many)}
-        <span class="field"><input type="number" min="1" max=${many} .value=${String(this.at + 1)} aria-label=${say(lang, queries.length ? "question" : "scene")}
+        <span class="field"><input type="number" min="1" max=${many} .value=${String(this.at + 1)}
+          aria-label=${say(lang, queries.length ? "question" : "scene")}
           @change=${(e: Event) => this.choose(Math.round(numberOf(e)) - 1)}></span>
         ${this.button("next", "next", this.at + 1, many)} ${say(lang, "of", { n: this.num(many, 0) })}</span>
-      ${queries[this.at] ? html`<span class="length">${say(lang, "shortest", { length: this.num(nth(queries, this.at).length, 2) })}</span>` : nothing}
+      ${
+        queries[this.at]
+          ? html`<span class="length">${say(lang, "shortest", {
+              length: this.num(nth(queries, this.at).length, 2),
+            })}</span>`
+          : nothing
+      }
       <button class="icon small close" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => {
         this.opened = null;
       }}>${icon("close", 14)}</button></div>`;
@@ -249,18 +259,29 @@ export class ImportBar extends AppElement {
     const firsts = queries.flatMap((query, i) => (i === 0 || query.bucket !== nth(queries, i - 1).bucket ? [i] : []));
     const now = firsts.findLast((first) => first <= this.at);
     return html`<label>${say(lang, "group")}<select @change=${(e: Event) => this.choose(numberOf(e))}>
-      ${firsts.map((first) => html`<option value=${first} ?selected=${first === now} .selected=${first === now}>${say(lang, "groupOf", { length: this.num(nth(queries, first).length, 0) })}</option>`)}</select></label>`;
+      ${firsts.map(
+        (first) =>
+          html`<option value=${first} ?selected=${first === now}
+            .selected=${first === now}>${say(lang, "groupOf", {
+              length: this.num(nth(queries, first).length, 0),
+            })}</option>`,
+      )}</select></label>`;
   }
 
   private names(scenes: readonly Scene[]): TemplateResult {
     const { lang } = this.state;
     return html`<label>${say(lang, "scene")}<select @change=${(e: Event) => this.choose(numberOf(e))}>
-      ${scenes.map((scene, i) => html`<option value=${i} ?selected=${i === this.at} .selected=${i === this.at}>${scene.name ?? i + 1}</option>`)}</select></label>`;
+      ${scenes.map(
+        (scene, i) =>
+          html`<option value=${i} ?selected=${i === this.at}
+            .selected=${i === this.at}>${scene.name ?? i + 1}</option>`,
+      )}</select></label>`;
   }
 
   private button(name: IconName, key: "previous" | "next", to: number, many: number): TemplateResult {
     const label = say(this.state.lang, key);
-    return html`<button class="icon small" aria-label=${label} title=${label} ?disabled=${to < 0 || to >= many} @click=${() => this.choose(to)}>${icon(name)}</button>`;
+    return html`<button class="icon small" aria-label=${label} title=${label} ?disabled=${to < 0 || to >= many}
+      @click=${() => this.choose(to)}>${icon(name)}</button>`;
   }
 
   private choose(at: number): void {

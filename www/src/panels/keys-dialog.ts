@@ -26,7 +26,10 @@ export class KeysDialog extends DialogElement {
 
   protected override content(): TemplateResult {
     return html`${this.top(this.t("keys.title"))}
-      <div class="scroll columns" tabindex="0"><div>${this.list("keys.tools")}${this.list("keys.view")}</div><div>${this.list("keys.edit")}</div></div>`;
+      <div class="scroll columns"
+        tabindex="0"><div>${this.list("keys.tools")}${this.list(
+          "keys.view",
+        )}</div><div>${this.list("keys.edit")}</div></div>`;
   }
 
   private list(title: keyof typeof SECTIONS): TemplateResult {
@@ -38,7 +41,9 @@ export class KeysDialog extends DialogElement {
     const chords = command
       ? [command, ...others.map((id) => commands[id as CommandId]!)].flatMap(({ keys }) => keys)
       : others.map((chord) => (isMessage(chord) ? this.t(chord) : chord));
-    return html`<dt>${this.t(command?.title ?? (first as MessageKey))}</dt><dd>${chords.map(shownChord).join(" / ")}</dd>`;
+    return html`<dt>${this.t(
+      command?.title ?? (first as MessageKey),
+    )}</dt><dd>${chords.map(shownChord).join(" / ")}</dd>`;
   }
 }
 

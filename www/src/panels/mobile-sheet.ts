@@ -72,9 +72,12 @@ export class Chips extends AppElement {
     const { planners, focus, hidden } = this.state;
     return html`<div class="chips">${planners.map((planner) => {
       const status = statusOf(this.state, planner);
-      return html`<button data-planner=${planner} class=${hidden.has(planner) ? "off" : ""} aria-pressed=${planner === focus}
-        @click=${() => this.tap(planner)} @pointerdown=${() => this.press(planner)} @pointerup=${this.release} @pointercancel=${this.release} @contextmenu=${(e: Event) => e.preventDefault()}>
-        ${marker(planner)}<b>${shortName(this.state.lang, planner)}</b><span class=${status.tone} title=${status.chip}>${status.tiny}</span></button>`;
+      return html`<button data-planner=${planner} class=${hidden.has(planner) ? "off" : ""}
+        aria-pressed=${planner === focus}
+        @click=${() => this.tap(planner)} @pointerdown=${() => this.press(planner)} @pointerup=${this.release}
+        @pointercancel=${this.release} @contextmenu=${(e: Event) => e.preventDefault()}>
+        ${marker(planner)}<b>${shortName(this.state.lang, planner)}</b><span class=${status.tone}
+          title=${status.chip}>${status.tiny}</span></button>`;
     })}</div>`;
   }
 
@@ -191,27 +194,32 @@ export class Sheet extends AppElement {
       ${
         open
           ? html`<div class="drawer" role="region" aria-label=${this.t("sheet.label")}>${this.tabs()}
-        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)}>${this.content()}</div></div>`
+            <div class="body" id="body" role="tabpanel" tabindex="0"
+            aria-label=${this.t(`sheet.${this.tab}`)}>${this.content()}</div></div>`
           : nothing
       }`;
   }
 
   private asSheet(): TemplateResult {
     return html`<div class="sheet" role="region" aria-label=${this.t("sheet.label")}>
-        <button class="grip" aria-label=${this.t("sheet.grip")} aria-expanded=${this.size > 0} @pointerdown=${this.grab} @pointermove=${this.pull} @pointerup=${this.drop} @click=${this.next}></button>
+        <button class="grip" aria-label=${this.t("sheet.grip")} aria-expanded=${this.size > 0} @pointerdown=${this.grab}
+          @pointermove=${this.pull} @pointerup=${this.drop} @click=${this.next}></button>
         ${this.tabs()}
-        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)} .style=${`height:${HEIGHTS[this.size]}`}>${this.size > 0 ? this.content() : nothing}</div>
+        <div class="body" id="body" role="tabpanel" tabindex="0" aria-label=${this.t(`sheet.${this.tab}`)}
+          .style=${`height:${HEIGHTS[this.size]}`}>${this.size > 0 ? this.content() : nothing}</div>
       </div>
       <div class="tools" role="toolbar" aria-label=${this.t("tools.label")}>${Object.entries(TOOLS).map(
         ([id, tool]) => html`
-        <button data-tool=${id} aria-pressed=${id === this.state.tool} aria-label=${this.t(tool.title)} @click=${() => this.arm(tool)}>${icon(tool.icon!, 20)}</button>`,
+          <button data-tool=${id} aria-pressed=${id === this.state.tool} aria-label=${this.t(tool.title)}
+          @click=${() => this.arm(tool)}>${icon(tool.icon!, 20)}</button>`,
       )}</div>`;
   }
 
   private tabs(): TemplateResult {
     return html`<div class="segmented" role="tablist" aria-label=${this.t("sheet.label")}>${TABS.map(
       (tab) => html`
-      <button role="tab" aria-selected=${tab === this.tab} aria-controls="body" @click=${() => this.show(tab)}>${this.t(`sheet.${tab}`)}</button>`,
+        <button role="tab" aria-selected=${tab === this.tab} aria-controls="body"
+        @click=${() => this.show(tab)}>${this.t(`sheet.${tab}`)}</button>`,
     )}</div>`;
   }
 
@@ -225,10 +233,19 @@ export class Sheet extends AppElement {
 
   private content(): TemplateResult {
     if (this.tab === "results")
-      return html`<parkade-table .app=${this.app} compact .style=${`min-height:${TABLE.head + TABLE.row * this.state.planners.length}px`}></parkade-table><parkade-charts class="charts" .app=${this.app}></parkade-charts>${this.ready ? html`<div class="road"><parkade-road-card .app=${this.app}></parkade-road-card></div>` : nothing}`;
+      return html`<parkade-table .app=${this.app} compact
+        .style=${`min-height:${TABLE.head + TABLE.row * this.state.planners.length}px`}></parkade-table><parkade-charts
+        class="charts" .app=${this.app}></parkade-charts>${
+          this.ready ? html`<div class="road"><parkade-road-card .app=${this.app}></parkade-road-card></div>` : nothing
+        }`;
     if (this.tab === "params")
       return html`<parkade-inspector .app=${this.app} .ready=${this.ready}></parkade-inspector>`;
-    return html`${this.drawer ? nothing : html`<parkade-options .app=${this.app} flat></parkade-options>`}${this.ready ? html`<div class="draw"><parkade-selection .app=${this.app}></parkade-selection></div><div class="draw"><parkade-objects .app=${this.app}></parkade-objects></div>` : nothing}`;
+    return html`${this.drawer ? nothing : html`<parkade-options .app=${this.app} flat></parkade-options>`}${
+      this.ready
+        ? html`<div class="draw"><parkade-selection .app=${this.app}></parkade-selection></div><div
+          class="draw"><parkade-objects .app=${this.app}></parkade-objects></div>`
+        : nothing
+    }`;
   }
 
   private show(tab: (typeof TABS)[number]): void {

@@ -113,7 +113,11 @@ export class MovieDialog extends DialogElement {
       take: (value: T) => void,
       isOff: (value: T) => boolean = () => false,
     ): TemplateResult =>
-      html`<label class="row">${say(lang, key)}<select @change=${({ currentTarget }: On<HTMLSelectElement>) => take(nth(values, currentTarget.selectedIndex))}>${values.map((value) => html`<option value=${value} ?selected=${value === now} ?disabled=${isOff(value)}>${name(value)}</option>`)}</select></label>`;
+      html`<label class="row">${say(lang, key)}<select @change=${({ currentTarget }: On<HTMLSelectElement>) =>
+        take(nth(values, currentTarget.selectedIndex))}>${values.map(
+        (value) =>
+          html`<option value=${value} ?selected=${value === now} ?disabled=${isOff(value)}>${name(value)}</option>`,
+      )}</select></label>`;
     return html`${this.top(say(lang, "title"))}<form @submit=${this.save}>
       ${choice(
         "format",
@@ -146,9 +150,13 @@ export class MovieDialog extends DialogElement {
         (one) => say(lang, one),
         (theme) => set({ theme }),
       )}
-      <label class="row">${say(lang, "seconds")}<span class="field"><input type="number" min="1" max=${LONGEST_S} step="1" .value=${String(options.seconds)} @change=${(e: Event) => set({ seconds: Math.min(LONGEST_S, Math.max(1, numberOf(e) || 10)) })}></span></label>
+      <label class="row">${say(lang, "seconds")}<span class="field"><input type="number" min="1" max=${LONGEST_S}
+        step="1" .value=${String(options.seconds)}
+        @change=${(e: Event) => set({ seconds: Math.min(LONGEST_S, Math.max(1, numberOf(e) || 10)) })}></span></label>
       ${this.done === null ? nothing : html`<progress max="1" .value=${this.done}></progress>`}
-      <footer><p role="status">${this.done === null ? this.note : say(lang, "progress", { percent: Math.floor(100 * this.done) })}</p>
+      <footer><p role="status">${
+        this.done === null ? this.note : say(lang, "progress", { percent: Math.floor(100 * this.done) })
+      }</p>
         ${
           this.done === null
             ? html`<button class="button solid">${say(lang, "save")}</button>`

@@ -81,15 +81,22 @@ export class LotPreview extends AppElement {
     const camera = this.camera(width, height),
       box = groundOf(scene),
       middle = [(box.minX + box.maxX) / 2, (box.minY + box.maxY) / 2] as const;
-    return html`<parkade-thumbnail class=${this.stale ? "stale" : ""} role="img" aria-label=${say(this.state.lang, "lot")} .app=${this.app} .scene=${scene} .plan=${this.plan} .camera=${camera}></parkade-thumbnail>
+    return html`<parkade-thumbnail class=${this.stale ? "stale" : ""} role="img"
+      aria-label=${say(this.state.lang, "lot")} .app=${this.app} .scene=${scene} .plan=${this.plan}
+      .camera=${camera}></parkade-thumbnail>
       ${SIDES.map((side) => {
         const k = axisOf(side),
           at = coordinateOf(box, side),
           [left, top] = worldToScreen({ camera, width, height }, k === 0 ? at : middle[0], k === 0 ? middle[1] : at),
           size = `${this.num(sizeAlong(box, k), 1)} m`;
-        return html`<button type="button" role="slider" class="${side} ${k === 1 ? "up" : ""} ${this.drag?.side === side ? "held" : ""}" .style=${`left:${left}px;top:${top}px`} aria-label=${say(this.state.lang, `${side}Side`)}
-          aria-orientation=${k === 0 ? "horizontal" : "vertical"} aria-valuemin="6" aria-valuemax="200" aria-valuenow=${sizeAlong(box, k)} aria-valuetext=${size}
-          @pointerdown=${(e: On<HTMLElement, PointerEvent>) => this.press(e, side)} @pointermove=${this.pull} @pointerup=${this.release} @pointercancel=${this.giveUp} @keydown=${(e: KeyboardEvent) => this.key(e, side)}><span>${size}</span></button>`;
+        return html`<button type="button" role="slider"
+          class="${side} ${k === 1 ? "up" : ""} ${this.drag?.side === side ? "held" : ""}"
+          .style=${`left:${left}px;top:${top}px`} aria-label=${say(this.state.lang, `${side}Side`)}
+          aria-orientation=${k === 0 ? "horizontal" : "vertical"} aria-valuemin="6" aria-valuemax="200"
+          aria-valuenow=${sizeAlong(box, k)} aria-valuetext=${size}
+          @pointerdown=${(e: On<HTMLElement, PointerEvent>) => this.press(e, side)} @pointermove=${this.pull}
+          @pointerup=${this.release} @pointercancel=${this.giveUp}
+          @keydown=${(e: KeyboardEvent) => this.key(e, side)}><span>${size}</span></button>`;
       })}`;
   }
 

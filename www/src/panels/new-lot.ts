@@ -18,6 +18,7 @@ import { dialogs } from "../styles/dialogs";
 import { DialogElement } from "./dialog";
 import { numberOf, valueOf } from "./inputs";
 import { icon } from "../styles/icons";
+import { BLOCKS, CHOICES, followed, isChoice, UNITS, type Block, type Choice } from "./new-lot-fields";
 import { faultText, say, type Word } from "./new-lot-words";
 import "./new-lot-preview";
 import type { Resize } from "./new-lot-preview";
@@ -25,27 +26,8 @@ import { besideOf } from "./beside";
 import { keysOf } from "../scene/keys";
 import type { Said } from "../i18n/said";
 
-type Block = "ground" | "bays" | "obstacles" | "vehicle";
-type Choice = "kind" | "sides" | "entrance" | "entry" | "car";
-
-const BLOCKS: Record<Block, readonly (keyof LotForm)[]> = {
-  ground: ["width", "depth", "entrance"],
-  bays: ["kind", "angle", "count", "bayWidth", "bayLength", "sides", "aisles", "aisle"],
-  obstacles: ["parked", "every", "column", "wall"],
-  vehicle: ["car", "carLength", "carWidth", "wheelbase", "radius", "entry"],
-};
-const CHOICES: { [K in Choice]: readonly LotForm[K][] } = {
-  kind: ["perpendicular", "angled", "parallel"],
-  sides: ["one", "both"],
-  entrance: ["left", "right", "bottom", "top"],
-  entry: ["reverse-in", "head-in"],
-  car: ["sedan", "paper", "own"],
-};
-const UNITS: Partial<Record<NumberField, string>> = { angle: "°", count: "", aisles: "", parked: "", every: "" };
 /** A plan for numbers that are no longer asked is given up after so many milliseconds. */
 const GIVE_UP_AFTER_MS = 300;
-
-const isChoice = (field: keyof LotForm): field is Choice => field in CHOICES;
 
 /** A lot from a few numbers, drawn and planned while they change. */
 export class NewLot extends DialogElement {
@@ -157,7 +139,8 @@ export class NewLot extends DialogElement {
         <div class="blocks">${keysOf(BLOCKS).map((block) => this.section(block, sizes))}</div>
         ${
           this.scene
-            ? html`<parkade-lot-preview .app=${this.app} .scene=${this.scene} .plan=${found && !this.fault ? this.plan : null} .stale=${this.fault !== null} @pointerdown=${() => {
+            ? html`<parkade-lot-preview .app=${this.app} .scene=${this.scene}
+              .plan=${found && !this.fault ? this.plan : null} .stale=${this.fault !== null} @pointerdown=${() => {
                 this.grabbed = this.form;
               }} @parkade-ground=${this.resize}></parkade-lot-preview>`
             : nothing
@@ -175,8 +158,16 @@ export class NewLot extends DialogElement {
     return html`<section><button type="button" class="head ${bad ? "bad" : ""}" aria-expanded=${isOpen} @click=${() => {
       this.block = isOpen ? null : block;
     }}>
-        <b>${say(lang, block)}</b><span>${isOpen ? nothing : this.summary(block, sizes)}</span>${icon("down", 14)}</button>
-      ${isOpen ? html`<div class="rows">${BLOCKS[block].filter((field) => this.isAsked(field)).map((field) => (isChoice(field) ? this.choice(field) : this.number(field, sizes)))}</div>` : nothing}</section>`;
+        <b>${say(lang, block)}</b><span>${
+          isOpen ? nothing : this.summary(block, sizes)
+        }</span>${icon("down", 14)}</button>
+      ${
+        isOpen
+          ? html`<div class="rows">${BLOCKS[block]
+              .filter((field) => this.isAsked(field))
+              .map((field) => (isChoice(field) ? this.choice(field) : this.number(field, sizes)))}</div>`
+          : nothing
+      }</section>`;
   }
 
   /** One-line summary of a closed block. */
@@ -231,11 +222,12 @@ export class NewLot extends DialogElement {
   private choice(field: Choice): TemplateResult {
     const { lang } = this.state,
       name = say(lang, field);
-    return html`<div class="row">${field === "kind" ? nothing : html`<span class="name">${name}</span>`}<div class="segmented" role="group" aria-label=${name}>${CHOICES[
-      field
-    ].map(
+    return html`<div class="row">${
+      field === "kind" ? nothing : html`<span class="name">${name}</span>`
+    }<div class="segmented" role="group" aria-label=${name}>${CHOICES[field].map(
       (value) => html`
-      <button type="button" aria-pressed=${this.form[field] === value} @click=${() => this.change({ [field]: value })}>${say(lang, value as Word)}</button>`,
+        <button type="button" aria-pressed=${this.form[field] === value}
+        @click=${() => this.change({ [field]: value })}>${say(lang, value as Word)}</button>`,
     )}</div></div>`;
   }
 
@@ -251,12 +243,22 @@ export class NewLot extends DialogElement {
     const text =
       this.typed?.field === field ? this.typed.text : Number.isFinite(now) ? String(Math.round(now * 100) / 100) : "";
     return html`<div class="row"><label for=${field}>${say(lang, field)}</label>
-      <input class="slider" type="range" tabindex="-1" aria-label=${say(lang, field)} min=${least} max=${top} step=${step} .value=${String(now)} .style=${`--at: ${((now - least) / (top - least)) * 100}%`} @input=${(e: Event) => this.set(field, numberOf(e))}>
-      ${given !== null && firstForm[field] === null ? html`<button type="button" class="icon" title=${say(lang, "auto")} aria-label=${`${say(lang, field)}: ${say(lang, "auto")}`} @click=${() => this.set(field, null)}>${icon("undo", 14)}</button>` : nothing}
-      <span class="field ${bad ? "bad" : ""} ${given === null ? "auto" : ""}"><input id=${field} inputmode="decimal" autocomplete="off" .value=${text} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
+      <input class="slider" type="range" tabindex="-1" aria-label=${say(lang, field)} min=${least} max=${top}
+        step=${step} .value=${String(now)} .style=${`--at: ${((now - least) / (top - least)) * 100}%`}
+        @input=${(e: Event) => this.set(field, numberOf(e))}>
+      ${
+        given !== null && firstForm[field] === null
+          ? html`<button type="button" class="icon" title=${say(lang, "auto")}
+            aria-label=${`${say(lang, field)}: ${say(lang, "auto")}`}
+            @click=${() => this.set(field, null)}>${icon("undo", 14)}</button>`
+          : nothing
+      }
+      <span class="field ${bad ? "bad" : ""} ${given === null ? "auto" : ""}"><input id=${field} inputmode="decimal"
+        autocomplete="off" .value=${text} aria-invalid=${bad} aria-describedby=${bad ? "fault" : nothing}
         @input=${(e: Event) => this.type(field, valueOf(e))} @blur=${() => {
           this.typed = null;
-        }} @keydown=${(e: KeyboardEvent) => this.onArrow(e, field, now, step)}>${unit ? html`<span>${unit}</span>` : nothing}</span></div>`;
+        }} @keydown=${(e: KeyboardEvent) =>
+          this.onArrow(e, field, now, step)}>${unit ? html`<span>${unit}</span>` : nothing}</span></div>`;
   }
 
   /** An emptied field follows the other numbers again, where it can. */
@@ -358,22 +360,6 @@ export class NewLot extends DialogElement {
 
   protected override closed(): void {
     this.giveUp();
-  }
-}
-
-/** The number that a field shows while it follows others. */
-function followed(field: NumberField, { width, depth, bay }: Sizes): number {
-  switch (field) {
-    case "width":
-      return width;
-    case "depth":
-      return depth;
-    case "bayWidth":
-      return bay.width;
-    case "bayLength":
-      return bay.length;
-    default:
-      return NaN;
   }
 }
 

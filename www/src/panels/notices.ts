@@ -55,7 +55,9 @@ export class Notices extends AppElement {
     return html`
       <div role="alert">${
         message
-          ? html`<div class="notice ${message.tone}">${icon(message.tone === "info" ? "check" : "warning")}<span>${message.text}</span>
+          ? html`<div class="notice ${message.tone}">${icon(
+              message.tone === "info" ? "check" : "warning",
+            )}<span>${message.text}</span>
         ${
           message.action
             ? html`<button class="button outline" @click=${() => {
@@ -64,7 +66,8 @@ export class Notices extends AppElement {
               }}>${message.action.name}</button>`
             : nothing
         }
-        <button class="icon small" aria-label=${this.t("error.dismiss")} @click=${() => this.app.store.set({ message: null })}>${icon("close", 14)}</button></div>`
+            <button class="icon small" aria-label=${this.t("error.dismiss")}
+            @click=${() => this.app.store.set({ message: null })}>${icon("close", 14)}</button></div>`
           : nothing
       }</div>
       <output class="sr" aria-live="polite">${this.spoken[this.state.lang]}</output>`;

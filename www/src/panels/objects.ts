@@ -65,9 +65,8 @@ export class ObjectList extends AppElement {
     const now = this.state.selection;
     return html`<div class="head"><h2>${this.t("inspect.objects")}</h2><span>${items.length}</span></div>
       <ul>${items.map(
-        (
-          item,
-        ) => html`<li><button aria-pressed=${isSame(item.selection, now)} @click=${() => this.pick(item)} @keydown=${(e: KeyboardEvent) => this.key(e, item)}>
+        (item) => html`<li><button aria-pressed=${isSame(item.selection, now)} @click=${() => this.pick(item)}
+          @keydown=${(e: KeyboardEvent) => this.key(e, item)}>
         ${icon(item.icon)}<span>${item.name}</span><span>${item.detail}</span></button></li>`,
       )}</ul>`;
   }

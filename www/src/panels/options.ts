@@ -54,7 +54,10 @@ export class ToolOptionsBar extends AppElement {
     const { tool, toolOptions } = this.state;
     this.hidden = tool === "select" || tool === "hand";
     if (this.hidden) return nothing;
-    return html`<div class="bar" role="group" aria-label=${this.t(`tool.${tool}`)}><b>${this.t(`tool.${tool}`)}</b>${this.fields(toolOptions)}${this.lock()}</div>`;
+    return html`<div class="bar" role="group"
+      aria-label=${this.t(`tool.${tool}`)}><b>${this.t(`tool.${tool}`)}</b>${this.fields(
+        toolOptions,
+      )}${this.lock()}</div>`;
   }
 
   private fields(options: ToolOptions): TemplateResult | typeof nothing {
@@ -63,7 +66,9 @@ export class ToolOptionsBar extends AppElement {
       case "eraser":
         return this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }));
       case "cost":
-        return html`${this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({ brushRadius }))}${this.weight(options.costWeight)}`;
+        return html`${this.metres(this.t("option.radius"), options.brushRadius, 0.1, (brushRadius) => ({
+          brushRadius,
+        }))}${this.weight(options.costWeight)}`;
       case "wall":
         return this.metres(this.t("option.thickness"), options.wallThickness, 0, (wallThickness) => ({
           wallThickness,
@@ -128,7 +133,8 @@ export class ToolOptionsBar extends AppElement {
       )}
       ${this.metres(say(lang, "laneWidth"), road.laneWidth, 2, (laneWidth) => put({ laneWidth }))}
       ${this.metres(say(lang, "bend"), road.radius, 1, (radius) => put({ radius }))}
-      <label><input type="checkbox" .checked=${road.kerbs} @change=${(e: Event) => this.set(put({ kerbs: isChecked(e) }))}>${say(lang, "kerbs")}</label>`;
+      <label><input type="checkbox" .checked=${road.kerbs}
+        @change=${(e: Event) => this.set(put({ kerbs: isChecked(e) }))}>${say(lang, "kerbs")}</label>`;
   }
 
   private choice<T extends string | number>(
@@ -158,7 +164,8 @@ export class ToolOptionsBar extends AppElement {
   }
 
   private weight(value: number): TemplateResult {
-    return html`<label>${this.t("option.weight")}<input type="range" min="1" max="10" step="1" .value=${String(value)} aria-valuetext="×${value}"
+    return html`<label>${this.t("option.weight")}<input type="range" min="1" max="10" step="1" .value=${String(value)}
+      aria-valuetext="×${value}"
       @input=${(e: Event) => this.set({ costWeight: numberOf(e) })}><b class="weight">×${value}</b></label>`;
   }
 
@@ -167,8 +174,17 @@ export class ToolOptionsBar extends AppElement {
     const { snap } = this.state.toolOptions,
       { lang, tool } = this.state;
     const snaps = tool !== "brush" && tool !== "cost" && tool !== "eraser" && tool !== "car";
-    return html`${snaps ? html`<button class="button lock" aria-pressed=${snap} title=${say(lang, "snapHelp")} @click=${() => this.set({ snap: !snap })}>${icon("fit", 14)}${say(lang, "snap")}</button>` : nothing}
-      <button class="button lock" aria-pressed=${locked} title="${this.t("option.lock")} · Q" @click=${() => this.set({ locked: !locked })}>${icon("lock", 14)}${this.t("option.lock")}<span class="keys">Q</span></button>`;
+    return html`${
+      snaps
+        ? html`<button class="button lock" aria-pressed=${snap} title=${say(lang, "snapHelp")}
+          @click=${() => this.set({ snap: !snap })}>${icon("fit", 14)}${say(lang, "snap")}</button>`
+        : nothing
+    }
+      <button class="button lock" aria-pressed=${locked} title="${this.t("option.lock")} · Q"
+        @click=${() =>
+          this.set({
+            locked: !locked,
+          })}>${icon("lock", 14)}${this.t("option.lock")}<span class="keys">Q</span></button>`;
   }
 
   private set(patch: Partial<ToolOptions>): void {

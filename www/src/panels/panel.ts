@@ -154,20 +154,30 @@ export class PlannerPanel extends AppElement {
     const met = laterTexts()?.encounterOf(state, result);
     const label = this.t("panel.canvas", { planner: plannerName(state.lang, planner), status: status.chip });
     return html`
-      <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise} @pointerdown=${this.takeFocus}>
+      <header class="${hidden ? "off" : ""} ${result?.status === "planning" ? "stale" : ""}" @dblclick=${this.maximise}
+        @pointerdown=${this.takeFocus}>
         <h2>${marker(planner)}<span>${plannerName(state.lang, planner)}</span></h2>
         <span class="time" title=${timeTitle(state.lang, result)}>${searchTime(state.lang, result)}</span>
         ${this.chip(status)}${met ? this.chip(met) : nothing}
-        ${this.thumb ? nothing : html`<parkade-smooth .app=${this.app} .planner=${planner}></parkade-smooth>`}<span class="end">${this.buttons(hidden)}</span>
+        ${
+          this.thumb ? nothing : html`<parkade-smooth .app=${this.app} .planner=${planner}></parkade-smooth>`
+        }<span class="end">${this.buttons(hidden)}</span>
       </header>
       <div class="body ${slim ? "slim" : ""}" @pointerdown=${this.takeFocus}>
         ${
           hidden
             ? html`<div class="veil">${this.t("panel.hidden")}</div>`
             : html`
-          <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]} .label=${label}></parkade-scene-view>
-          <parkade-failure class=${this.isLow() ? "low" : ""} ?slim=${slim} .app=${this.app} .planner=${planner}></parkade-failure>
-          ${this.thumb ? nothing : html`<parkade-choices class=${this.isLow() ? "low" : ""} .app=${this.app} .planner=${planner}></parkade-choices>`}
+              <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]}
+              .label=${label}></parkade-scene-view>
+              <parkade-failure class=${this.isLow() ? "low" : ""} ?slim=${slim} .app=${this.app}
+              .planner=${planner}></parkade-failure>
+              ${
+                this.thumb
+                  ? nothing
+                  : html`<parkade-choices class=${this.isLow() ? "low" : ""} .app=${this.app}
+                .planner=${planner}></parkade-choices>`
+              }
           <div class="corner ${this.corner("left")}">${laterTexts()?.readoutOf(state, planner)}</div>
           <div class="corner right ${this.corner("right")}">${laterTexts()?.legendOf(state, planner)}</div>`
         }
@@ -198,7 +208,10 @@ export class PlannerPanel extends AppElement {
     const shown: Status = busy
       ? { ...status, tone: "quiet", icon: "clock", chip: updating, brief: updating, tiny: updating }
       : status;
-    return html`<span class="chip ${shown.tone}" title=${shown.title ?? shown.chip}>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short" aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
+    return html`<span class="chip ${shown.tone}" title=${
+      shown.title ?? shown.chip
+    }>${icon(shown.icon, 12)}<span class="long">${shown.chip}</span><span class="short"
+      aria-hidden="true">${this.thumb ? shown.tiny : shown.brief}</span></span>`;
   }
 
   private buttons(hidden: boolean): TemplateResult {
@@ -207,8 +220,14 @@ export class PlannerPanel extends AppElement {
     const alone = this.state.mode === "focus" && this.state.focus === this.planner;
     const size = alone ? this.t("panel.restore") : this.t("panel.maximise", { planner: name });
     return html`
-      ${this.thumb ? nothing : html`<button class="icon small" aria-pressed=${!hidden} aria-label=${eye} title=${eye} @click=${this.hide}>${icon(hidden ? "eyeOff" : "eye")}</button>`}
-      <button class="icon small" aria-label=${size} title=${size} @click=${this.maximise}>${icon(alone ? "restore" : "maximise")}</button>`;
+      ${
+        this.thumb
+          ? nothing
+          : html`<button class="icon small" aria-pressed=${!hidden} aria-label=${eye} title=${eye}
+            @click=${this.hide}>${icon(hidden ? "eyeOff" : "eye")}</button>`
+      }
+      <button class="icon small" aria-label=${size} title=${size}
+        @click=${this.maximise}>${icon(alone ? "restore" : "maximise")}</button>`;
   }
 
   private readonly hide = (): void => {

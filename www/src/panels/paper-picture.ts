@@ -54,7 +54,8 @@ export class PaperPicture extends AppElement {
     const { lang } = this.state,
       scene = (this.shown ??= this.app.catalog!.scenario(this.scene)),
       title = this.app.catalog!.scenarios.find(({ id }) => id === this.scene)?.title[lang] ?? this.scene;
-    return html`<button @click=${this.open} title=${say(lang, "open")}><parkade-thumbnail .app=${this.app} .scene=${scene} .plan=${solved.get(this.key)} ?whole=${this.wide}></parkade-thumbnail>
+    return html`<button @click=${this.open} title=${say(lang, "open")}><parkade-thumbnail .app=${this.app}
+      .scene=${scene} .plan=${solved.get(this.key)} ?whole=${this.wide}></parkade-thumbnail>
       <span>${marker(this.planner)}${title}, ${plannerName(lang, this.planner)}</span></button>`;
   }
 

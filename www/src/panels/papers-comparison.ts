@@ -127,20 +127,33 @@ export class PapersComparison extends PapersTab<Summary> {
     const claims = compared.length === PAIRS.length ? judged(compared) : [];
     return html`<h3>${say(lang, "algorithms")}</h3><ul class="claims">${claims.map(
       (claim) =>
-        html`<li id=${claim.id}>${verdictChip(lang, claim.holds)}<div>${claimOf(lang, claim)}<p>${foundOf(lang, claim)}</p></div></li>`,
+        html`<li id=${claim.id}>${verdictChip(
+          lang,
+          claim.holds,
+        )}<div>${claimOf(lang, claim)}<p>${foundOf(lang, claim)}</p></div></li>`,
     )}</ul>
       <p class="note">${say(lang, "lead")}</p>
-      <div class="wide"><table class="compared"><thead><tr><th>${say(lang, "scene")}</th><th>${say(lang, "planner")}</th>${COLUMNS.map((column) => html`<th>${say(lang, column)}</th>`)}</tr></thead>
+      <div class="wide"><table
+        class="compared"><thead><tr><th>${say(lang, "scene")}</th><th>${say(lang, "planner")}</th>${COLUMNS.map(
+          (column) => html`<th>${say(lang, column)}</th>`,
+        )}</tr></thead>
         <tbody>${compared.map(
           (one) =>
-            html`<tr><th scope="row">${this.link(one.scene, one.scene)}</th><th>${plannerName(lang, one.planner)}</th>${COLUMNS.map((column) => html`<td>${cellOf(one, column, this.written)}</td>`)}</tr>`,
+            html`<tr><th scope="row">${this.link(
+              one.scene,
+              one.scene,
+            )}</th><th>${plannerName(lang, one.planner)}</th>${COLUMNS.map(
+              (column) => html`<td>${cellOf(one, column, this.written)}</td>`,
+            )}</tr>`,
         )}</tbody></table></div>
       <h3>${say(lang, "sensitivity")}</h3><p class="note">${say(lang, "charts")}</p>
-      <div class="charts" tabindex="0" role="group" aria-label=${say(lang, "sensitivity")} .innerHTML=${smallMultiples(chartsOf(lang, sweeps), say(lang, "sensitivity"))}></div>
+      <div class="charts" tabindex="0" role="group" aria-label=${say(lang, "sensitivity")}
+        .innerHTML=${smallMultiples(chartsOf(lang, sweeps), say(lang, "sensitivity"))}></div>
       <h3>${say(lang, "drives")}</h3><p class="note">${say(lang, "drivesLead", { scale: ACROSS })}</p>
       ${bands.map(
         ({ scene, band }) =>
-          html`<div class="charts" tabindex="0" role="group" aria-label=${scene} .innerHTML=${bandPicture(this.app.catalog!.scenario(scene), band, scene, ACROSS)}></div>`,
+          html`<div class="charts" tabindex="0" role="group" aria-label=${scene}
+            .innerHTML=${bandPicture(this.app.catalog!.scenario(scene), band, scene, ACROSS)}></div>`,
       )}
       <p class="note">${say(lang, "experts")}</p>`;
   }

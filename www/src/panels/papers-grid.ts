@@ -102,7 +102,8 @@ export class PapersGrid extends PapersTab<Summary> {
       bad = !this.seeds;
     const field = (
       name: "from" | "to",
-    ): TemplateResult => html`<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric" aria-label=${say(lang, name)} aria-invalid=${bad} .value=${this[name]}
+    ): TemplateResult => html`<span class="field ${bad ? "bad" : ""}"><input inputmode="numeric"
+      aria-label=${say(lang, name)} aria-invalid=${bad} .value=${this[name]}
       @input=${(e: Event) => {
         this[name] = valueOf(e);
       }} @keydown=${(e: KeyboardEvent) => {
@@ -125,24 +126,49 @@ export class PapersGrid extends PapersTab<Summary> {
       ${crossOriginIsolated ? nothing : html`<p class="note">${say(this.state.lang, "coarse")}</p>`}`;
   }
 
+  private heads(...keys: Parameters<typeof say>[1][]): TemplateResult[] {
+    return keys.map((key) => html`<th>${say(this.state.lang, key)}</th>`);
+  }
+
   private table(table: PaperTable): TemplateResult {
     const { lang } = this.state;
     const length = this.num(table.straight, 2);
     const scene = sceneOf(table.row.id);
-    return html`<h3>${titleOf(lang, table)}<span>${say(lang, "maps", { n: table.maps })}</span>${this.link(scene, say(lang, "figureScene", { figure: scene.slice(3, 4) }))}</h3>
+    return html`<h3>${titleOf(lang, table)}<span>${say(lang, "maps", { n: table.maps })}</span>${this.link(
+      scene,
+      say(lang, "figureScene", { figure: scene.slice(3, 4) }),
+    )}</h3>
       <div class="wide"><table><thead>
-        <tr class="over"><th></th><th class="first" colspan="4" title=${say(lang, "nodesTip")}>${say(lang, "nodes")}</th><th class="first" colspan="4" title=${say(lang, "lengthTip")}>${say(lang, "length")}</th>
-          <th class="first">${say(lang, "turns")}</th><th>${say(lang, "turning")}</th><th title=${say(lang, "timeTip")}>${say(lang, "time")}</th></tr>
-        <tr><th>${say(lang, "planner")}</th>${[0, 1].map(() => html`<th class="first">${say(lang, "printed")}</th><th>${say(lang, "median")}</th><th>${say(lang, "p95")}</th><th>${say(lang, "worst")}</th>`)}
-          <th class="first">${say(lang, "median")}</th><th>${say(lang, "median")}</th><th>${say(lang, "mean")}</th></tr></thead>
+        <tr class="over"><th></th><th class="first" colspan="4"
+          title=${say(lang, "nodesTip")}>${say(lang, "nodes")}</th><th class="first" colspan="4"
+          title=${say(lang, "lengthTip")}>${say(lang, "length")}</th>
+          <th class="first">${say(lang, "turns")}</th><th>${say(lang, "turning")}</th><th
+            title=${say(lang, "timeTip")}>${say(lang, "time")}</th></tr>
+        <tr><th>${say(lang, "planner")}</th>${[0, 1].map(
+          () => html`<th class="first">${say(lang, "printed")}</th>${this.heads("median", "p95", "worst")}`,
+        )}
+          <th class="first">${say(lang, "median")}</th>${this.heads("median", "mean")}</tr></thead>
         <tbody>${table.lines.map(
           (line, at) => html`<tr><th scope="row">${lineName(lang, line.planner)}</th>
           <td class="printed">${line.printedNodes ?? "–"}</td>${this.spread(this.of(line, SHOWN.nodes), 0)}
-          <td class="printed">${line.impossible ? html`<span class="chip err" title=${say(lang, "straight", { length })}>${icon("warning", 12)}<span>${say(lang, "impossible", { length })}</span></span>` : nothing}${line.printedLength === null ? "–" : this.num(line.printedLength, 2)}</td>
+            <td class="printed">${
+              line.impossible
+                ? html`<span class="chip err" title=${say(lang, "straight", {
+                    length,
+                  })}>${icon("warning", 12)}<span>${say(lang, "impossible", { length })}</span></span>`
+                : nothing
+            }${line.printedLength === null ? "–" : this.num(line.printedLength, 2)}</td>
           ${this.spread(this.of(line, SHOWN.length), 2)}
-          <td class="first">${this.median(this.of(line, "turns"), 0)}</td><td>${this.median(this.of(line, "turnAngleDeg"), 0)}</td><td>${this.time(table, at)}</td></tr>`,
+            <td class="first">${this.median(this.of(line, "turns"), 0)}</td><td>${this.median(
+              this.of(line, "turnAngleDeg"),
+              0,
+            )}</td><td>${this.time(table, at)}</td></tr>`,
         )}</tbody></table></div>
-      ${table.lines.some((line) => line.impossible) ? html`<p class="note">${say(lang, "straight", { length })}</p>` : nothing}
+      ${
+        table.lines.some((line) => line.impossible)
+          ? html`<p class="note">${say(lang, "straight", { length })}</p>`
+          : nothing
+      }
       ${this.readings(table)}${this.stranded(table)}${
         this.running
           ? nothing
@@ -151,12 +177,22 @@ export class PapersGrid extends PapersTab<Summary> {
               true,
             )
       }
-      <details><summary>${say(lang, "ratios")}</summary><div class="wide"><table><thead><tr><th>${say(lang, "ratio")}</th><th>${say(lang, "printed")}</th><th>${say(lang, "median")}</th><th>${say(lang, "p95")}</th><th>${say(lang, "worst")}</th></tr></thead>
+      <details><summary>${say(lang, "ratios")}</summary><div class="wide"><table><thead><tr>${this.heads(
+        "ratio",
+        "printed",
+        "median",
+        "p95",
+        "worst",
+      )}</tr></thead>
         <tbody>${table.ratios.map(
-          (
-            ratio,
-          ) => html`<tr><th scope="row">${say(lang, "over", { planner: lineName(lang, ratio.planner), over: lineName(lang, ratio.over), figure: figureName(ratio) })}</th>
-          <td class="printed">${ratio.printed === null ? "–" : this.num(ratio.printed, 3)}</td>${this.spread(ratio.ours, 3)}</tr>`,
+          (ratio) => html`<tr><th scope="row">${say(lang, "over", {
+            planner: lineName(lang, ratio.planner),
+            over: lineName(lang, ratio.over),
+            figure: figureName(ratio),
+          })}</th>
+            <td class="printed">${
+              ratio.printed === null ? "–" : this.num(ratio.printed, 3)
+            }</td>${this.spread(ratio.ours, 3)}</tr>`,
         )}</tbody></table></div></details>`;
   }
 
@@ -164,7 +200,10 @@ export class PapersGrid extends PapersTab<Summary> {
   private readings({ lines }: PaperTable): TemplateResult {
     const { lang } = this.state;
     const columns = papers?.columns ?? [];
-    return html`<details><summary>${say(lang, "readings")}</summary><div class="wide"><table><thead><tr><th>${say(lang, "planner")}</th><th>${say(lang, "printed")}</th>${READINGS.map((name) => html`<th>${say(lang, name)}</th>`)}</tr></thead>
+    return html`<details><summary>${say(lang, "readings")}</summary><div
+      class="wide"><table><thead><tr><th>${say(lang, "planner")}</th><th>${say(lang, "printed")}</th>${READINGS.map(
+        (name) => html`<th>${say(lang, name)}</th>`,
+      )}</tr></thead>
       <tbody>${lines
         .filter(({ printedLength }) => printedLength !== null)
         .map(
@@ -189,7 +228,10 @@ export class PapersGrid extends PapersTab<Summary> {
       this.app.store.set({ planners: ["risk-field", "eight"], focus: "risk-field" });
       this.app.openScene({ ...scene, planners: { "risk-field": { fallback: "none" } } });
     };
-    return html`<p class="note">${say(lang, "stranded", { n: seeds.length, maps })} ${seeds.map((seed) => html`<button class="link" @click=${() => void open(seed)}>${say(lang, "seed", { seed })}</button> `)}</p>`;
+    return html`<p class="note">${say(lang, "stranded", { n: seeds.length, maps })}
+      ${seeds.map(
+        (seed) => html`<button class="link" @click=${() => void open(seed)}>${say(lang, "seed", { seed })}</button> `,
+      )}</p>`;
   }
 
   private async drawn(family: Family): Promise<Scene> {
@@ -209,7 +251,8 @@ export class PapersGrid extends PapersTab<Summary> {
 
   private spread(spread: Spread | undefined, digits: number): TemplateResult {
     const cell = (value: number | undefined): string => (value === undefined ? "–" : this.num(value, digits));
-    return html`<td class="ours">${cell(spread?.median)}</td><td>${cell(spread?.p95)}</td><td>${cell(spread?.worst)}</td>`;
+    return html`<td
+      class="ours">${cell(spread?.median)}</td><td>${cell(spread?.p95)}</td><td>${cell(spread?.worst)}</td>`;
   }
 
   private time({ row }: PaperTable, at: number): string {

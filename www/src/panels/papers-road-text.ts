@@ -96,7 +96,11 @@ export function cell(lang: Lang, figure: Figure, line: Line, table: RoadTable): 
 export function change(lang: Lang, now: number | null | undefined, was: number | null | undefined): string {
   if (now == null || was == null || was === 0) return "";
   const percent = (now / was - 1) * 100;
-  return `${percent > 0 ? "+" : ""}${number(lang, percent, Math.abs(percent) < 10 || (percent < -99 && percent > -100) ? 1 : 0)} %`;
+  return `${percent > 0 ? "+" : ""}${number(
+    lang,
+    percent,
+    Math.abs(percent) < 10 || (percent < -99 && percent > -100) ? 1 : 0,
+  )} %`;
 }
 
 /** Ours against plain A*'s; none of what can be below zero there. */
@@ -129,7 +133,10 @@ export function promiseText(
   figure: Figure,
   { atLeast, bound, kept }: RoadTable["promises"][number],
 ): string {
-  return `${say(lang, "promised", { sign: atLeast ? "≥" : "≤", bound: number(lang, bound, figure.digits) })} – ${say(lang, kept ? "kept" : "broken")}`;
+  return `${say(lang, "promised", {
+    sign: atLeast ? "≥" : "≤",
+    bound: number(lang, bound, figure.digits),
+  })} – ${say(lang, kept ? "kept" : "broken")}`;
 }
 
 export function roadMarkdown(lang: Lang, tables: readonly RoadTable[]): string {

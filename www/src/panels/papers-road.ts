@@ -50,7 +50,9 @@ export class PapersRoad extends PapersRowsTab<"road"> {
 
   protected tables(tables: RoadTable[]): TemplateResult {
     const { lang } = this.state;
-    return html`${this.claims.length > 0 ? claimList(lang, this.claims) : nothing}${tables.map((table) => this.table(table))}
+    return html`${
+      this.claims.length > 0 ? claimList(lang, this.claims) : nothing
+    }${tables.map((table) => this.table(table))}
       <h3>${say(lang, "flags")}</h3><ul class="flags">${FLAGS.map((flag) => html`<li>${say(lang, flag)}</li>`)}</ul>`;
   }
 
@@ -62,15 +64,32 @@ export class PapersRoad extends PapersRowsTab<"road"> {
     const { lang } = this.state;
     return html`<h3 id=${table.row.id}>${titleOf(lang, table)}${this.link(table.row.scene)}</h3>
       <div class="wide"><table><thead>
-        <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first" colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
+        <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first"
+          colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
         <tr><th>${say(lang, "figure")}</th><th class="first">${say(lang, "plain")}</th><th>${say(lang, "improved")}</th>
-          ${table.lines.map((line, at) => html`<th class=${at === 0 ? "first" : ""}>${lineName(lang, line)}</th>`)}</tr></thead>
+          ${table.lines.map(
+            (line, at) => html`<th class=${at === 0 ? "first" : ""}>${lineName(lang, line)}</th>`,
+          )}</tr></thead>
         <tbody>${FIGURES.map((figure) => this.figure(table, figure))}
-          <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td class="printed">–</td>${table.lines.map(
-            (line, at) => html`
-            <td class=${at === 0 ? "first" : ""}><span class="chip ${line.verdict === "ok" ? "" : line.verdict === "collides" || line.verdict === "none" ? "err" : "warn"}">${icon(line.verdict === "ok" ? "check" : "warning", 12)}<span>${say(lang, line.verdict)}</span></span>${line.fellBack ? html` <small title=${say(lang, "fellBackTip")}>${say(lang, "fellBack")}</small>` : nothing}</td>`,
-          )}</tr></tbody></table></div>
-      ${table.lines.some(({ id, verdict }) => id === "literal" && verdict === "collides") ? html`<p class="note">${say(lang, "literalNote")}</p>` : nothing}
+          <tr><th scope="row">${say(lang, "verdict")}</th><td class="printed first">–</td><td
+            class="printed">–</td>${table.lines.map(
+              (line, at) => html`
+                <td class=${at === 0 ? "first" : ""}><span class="chip ${
+                  line.verdict === "ok" ? "" : line.verdict === "collides" || line.verdict === "none" ? "err" : "warn"
+                }">${icon(line.verdict === "ok" ? "check" : "warning", 12)}<span>${say(
+                  lang,
+                  line.verdict,
+                )}</span></span>${
+                  line.fellBack
+                    ? html` <small title=${say(lang, "fellBackTip")}>${say(lang, "fellBack")}</small>`
+                    : nothing
+                }</td>`,
+            )}</tr></tbody></table></div>
+      ${
+        table.lines.some(({ id, verdict }) => id === "literal" && verdict === "collides")
+          ? html`<p class="note">${say(lang, "literalNote")}</p>`
+          : nothing
+      }
       ${
         this.running
           ? nothing
@@ -89,12 +108,25 @@ export class PapersRoad extends PapersRowsTab<"road"> {
     const was = (value: number | undefined): string =>
       value === undefined ? "–" : this.num(value, Number.isInteger(value) ? 0 : 1);
     const held = promise
-      ? html`<span class="held ${promise.kept ? "" : "missed"}" role="img" title=${promiseText(lang, figure, promise)} aria-label=${promiseText(lang, figure, promise)}>${icon(promise.kept ? "check" : "close", 12)}</span>`
+      ? html`<span class="held ${promise.kept ? "" : "missed"}" role="img" title=${promiseText(lang, figure, promise)}
+        aria-label=${promiseText(lang, figure, promise)}>${icon(promise.kept ? "check" : "close", 12)}</span>`
       : nothing;
     return html`<tr><th scope="row" title=${figure.tip ? say(lang, figure.tip) : nothing}>${say(lang, figure.key)}</th>
-      <td class="printed first">${flag ? html`<span class="chip err" title=${flag}>${icon("warning", 12)}<span>${say(lang, "impossible")}</span></span> ` : nothing}${was(printed?.[0])}</td>
-      <td class="printed">${was(printed?.[1])}${printed ? html`<small>${change(lang, printed[1], printed[0])}</small>` : nothing}</td>
-      ${table.lines.map((line, at) => html`<td class=${at === 0 ? "first" : at === 1 ? "ours" : ""}>${cell(lang, figure, line, table)}${at > 0 ? html`<small>${changeOf(lang, figure, line, table)}</small>` : nothing}${at === 1 ? held : nothing}</td>`)}</tr>`;
+      <td class="printed first">${
+        flag
+          ? html`<span class="chip err"
+            title=${flag}>${icon("warning", 12)}<span>${say(lang, "impossible")}</span></span> `
+          : nothing
+      }${was(printed?.[0])}</td>
+      <td class="printed">${was(printed?.[1])}${
+        printed ? html`<small>${change(lang, printed[1], printed[0])}</small>` : nothing
+      }</td>
+      ${table.lines.map(
+        (line, at) =>
+          html`<td class=${at === 0 ? "first" : at === 1 ? "ours" : ""}>${cell(lang, figure, line, table)}${
+            at > 0 ? html`<small>${changeOf(lang, figure, line, table)}</small>` : nothing
+          }${at === 1 ? held : nothing}</td>`,
+      )}</tr>`;
   }
 }
 

@@ -107,8 +107,17 @@ export abstract class PapersTab<Summary> extends AppElement {
   protected frame(tools: TemplateResult | typeof nothing, content: TemplateResult | typeof nothing): TemplateResult {
     const { lang } = this.state;
     return html`<div class="tools">${tools}${this.status()}
-        <span class="copy">${(["markdown", "json"] as const).map((one) => html`<button class="button outline" ?disabled=${!this.summary} @click=${() => void this.copy(one)}>${icon(this.copied === one ? "check" : "copy", 14)}${say(lang, this.copied === one ? "copied" : one)}</button>`)}</span></div>
-      <div class="scroll" tabindex="0">${this.summary ? content : html`<p class="note">${say(lang, "waiting")}</p>`}</div>`;
+        <span class="copy">${(["markdown", "json"] as const).map(
+          (one) =>
+            html`<button class="button outline" ?disabled=${!this.summary}
+              @click=${() => void this.copy(one)}>${icon(
+                this.copied === one ? "check" : "copy",
+                14,
+              )}${say(lang, this.copied === one ? "copied" : one)}</button>`,
+        )}</span></div>
+      <div class="scroll" tabindex="0">${
+        this.summary ? content : html`<p class="note">${say(lang, "waiting")}</p>`
+      }</div>`;
   }
 
   /** Measure, or cancel while it runs. */
@@ -116,7 +125,8 @@ export abstract class PapersTab<Summary> extends AppElement {
     const { lang } = this.state;
     return this.running
       ? html`<button class="button outline" @click=${this.cancel}>${icon("close", 14)}${say(lang, "cancel")}</button>`
-      : html`<button class="button solid" ?disabled=${disabled} @click=${() => void this.measure()}>${say(lang, "measure")}</button>`;
+      : html`<button class="button solid" ?disabled=${disabled}
+        @click=${() => void this.measure()}>${say(lang, "measure")}</button>`;
   }
 
   /** Opens a scene of the gallery, beside the planner that a paper means where one is named. */
@@ -134,10 +144,13 @@ export abstract class PapersTab<Summary> extends AppElement {
 
   /** The paths of planners in scenes, as pictures that open them. */
   protected pictures(pairs: readonly (readonly [scene: string, planner: PlannerId])[], wide = false): TemplateResult {
-    return html`<div class="pictures" role="group" aria-label=${say(this.state.lang, "pictures")} @parkade-open-scene=${(e: CustomEvent<{ id: string; planner: PlannerId }>) => this.openScene(e.detail.id, e.detail.planner)}>${pairs.map(
-      ([scene, planner]) => html`
-      <parkade-paper-picture .app=${this.app} .scene=${scene} .planner=${planner} ?wide=${wide}></parkade-paper-picture>`,
-    )}</div>`;
+    return html`<div class="pictures" role="group" aria-label=${say(this.state.lang, "pictures")}
+      @parkade-open-scene=${(e: CustomEvent<{ id: string; planner: PlannerId }>) =>
+        this.openScene(e.detail.id, e.detail.planner)}>${pairs.map(
+        ([scene, planner]) => html`
+          <parkade-paper-picture .app=${this.app} .scene=${scene} .planner=${planner}
+          ?wide=${wide}></parkade-paper-picture>`,
+      )}</div>`;
   }
 
   /** The reason why it cannot measure, if any. */
@@ -152,7 +165,8 @@ export abstract class PapersTab<Summary> extends AppElement {
     if (notice) return html`<span class="state" role="alert">${notice}</span>`;
     if (!progress || !this.running) return nothing;
     const text = this.told(progress);
-    return html`<span class="state"><progress max=${progress.of} .value=${progress.done} aria-label=${text}></progress><span>${text}</span></span>`;
+    return html`<span class="state"><progress max=${progress.of} .value=${progress.done}
+      aria-label=${text}></progress><span>${text}</span></span>`;
   }
 
   protected async measure(): Promise<void> {

@@ -75,19 +75,25 @@ export class PapersVolumes extends AppElement {
 
   protected override render(): TemplateResult {
     const { lang } = this.state;
-    return html`<h3>${say(lang, "title")}</h3><p>${say(lang, "lead", { poses: this.num(POSES, 0) })}</p><div class="both">
-      <div>${this.picture()}<label>${say(lang, "heading")}: ${this.heading}°<input class="slider" type="range" min="0" max="90" step="1" .value=${String(this.heading)} @input=${(
-        e: Event,
-      ) => {
-        this.heading = numberOf(e);
-      }}></label></div>
-      <div class="wide"><table><thead><tr>${(["scene", "volume", "collisions", "hits", "falseAlarms", "share", "missed", "area", "micros"] as const).map((key) => html`<th>${say(lang, key)}</th>`)}</tr></thead>
+    return html`<h3>${say(lang, "title")}</h3><p>${say(lang, "lead", {
+      poses: this.num(POSES, 0),
+    })}</p><div class="both">
+      <div>${this.picture()}<label>${say(lang, "heading")}: ${this.heading}°<input class="slider" type="range" min="0"
+        max="90" step="1" .value=${String(this.heading)} @input=${(e: Event) => {
+          this.heading = numberOf(e);
+        }}></label></div>
+      <div class="wide"><table><thead><tr>${(
+        ["scene", "volume", "collisions", "hits", "falseAlarms", "share", "missed", "area", "micros"] as const
+      ).map((key) => html`<th>${say(lang, key)}</th>`)}</tr></thead>
         <tbody>${(measured ?? []).flatMap(({ scene, collisions, poses, volumes }) =>
           volumes.map(
-            (
-              one,
-            ) => html`<tr><th scope="row"><button class="link" @click=${() => this.open(scene)}>${scene}</button></th><th>${say(lang, one.volume)}</th><td>${this.num(collisions, 0)}</td><td>${this.num(one.hits, 0)}</td><td>${this.num(one.falseAlarms, 0)}</td>
-          <td>${this.num((100 * one.falseAlarms) / (poses - collisions), 1)} %</td><td>${this.num(one.missed, 0)}</td><td>${this.num(one.area, 2)}</td><td>${this.num(one.micros, 2)}</td></tr>`,
+            (one) => html`<tr><th scope="row"><button class="link"
+              @click=${() => this.open(scene)}>${scene}</button></th><th>${say(lang, one.volume)}</th>${this.cells(
+                [collisions, one.hits, one.falseAlarms],
+                0,
+              )}
+              <td>${this.num((100 * one.falseAlarms) / (poses - collisions), 1)}
+            %</td>${this.cells([one.missed], 0)}${this.cells([one.area, one.micros], 2)}</tr>`,
           ),
         )}</tbody></table></div></div>`;
   }
@@ -96,16 +102,26 @@ export class PapersVolumes extends AppElement {
     this.dispatchEvent(new CustomEvent("parkade-open-scene", { detail: { id }, bubbles: true, composed: true }));
   }
 
+  private cells(values: readonly number[], digits: number): TemplateResult[] {
+    return values.map((value) => html`<td>${this.num(value, digits)}</td>`);
+  }
+
   private picture(): TemplateResult {
     const turn = (this.heading * Math.PI) / 180,
       [a, b] = HALF;
     const x = a * Math.cos(turn) + b * Math.sin(turn),
       y = a * Math.sin(turn) + b * Math.cos(turn),
       ink = { fill: "none", width: "0.05" };
-    return html`<svg class="car" viewBox="-3.4 -3.4 6.8 6.8" role="img" aria-label=${say(this.state.lang, "title")}>${svg`
-      <circle r=${RADIUS} fill=${ink.fill} stroke="#CC79A7" stroke-width=${ink.width} stroke-dasharray="0.05 0.12" stroke-linecap="round"></circle>
-      <rect x=${-x} y=${-y} width=${2 * x} height=${2 * y} fill=${ink.fill} stroke="#D55E00" stroke-width=${ink.width} stroke-dasharray="0.25 0.12"></rect>
-      <g transform="rotate(${-this.heading})"><rect x=${-a} y=${-b} width=${2 * a} height=${2 * b} fill="currentColor" fill-opacity="0.12" stroke="#0072B2" stroke-width="0.07"></rect><path d="M${a * 0.35} ${-b * 0.8}V${b * 0.8}L${a * 0.6} ${b * 0.9}V${-b * 0.9}Z" fill="currentColor" fill-opacity="0.3"></path></g>`}</svg>`;
+    return html`<svg class="car" viewBox="-3.4 -3.4 6.8 6.8" role="img"
+      aria-label=${say(this.state.lang, "title")}>${svg`
+        <circle r=${RADIUS} fill=${ink.fill} stroke="#CC79A7" stroke-width=${ink.width} stroke-dasharray="0.05 0.12"
+        stroke-linecap="round"></circle>
+        <rect x=${-x} y=${-y} width=${2 * x} height=${2 * y} fill=${ink.fill} stroke="#D55E00" stroke-width=${ink.width}
+        stroke-dasharray="0.25 0.12"></rect>
+        <g transform="rotate(${-this.heading})"><rect x=${-a} y=${-b} width=${2 * a} height=${2 * b} fill="currentColor"
+        fill-opacity="0.12" stroke="#0072B2"
+        stroke-width="0.07"></rect><path d="M${a * 0.35} ${-b * 0.8}V${b * 0.8}L${a * 0.6} ${b * 0.9}V${-b * 0.9}Z"
+        fill="currentColor" fill-opacity="0.3"></path></g>`}</svg>`;
   }
 }
 

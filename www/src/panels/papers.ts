@@ -54,7 +54,8 @@ export class PapersDialog extends DialogElement {
     return html`${this.top(say(lang, "title"), say(lang, `${this.tab}Lead`))}
       <div class="segmented tabs" role="tablist" aria-label=${say(lang, "title")} @keydown=${this.keys}>${NAMES.map(
         (name) => html`
-        <button id="tab-${name}" role="tab" aria-selected=${name === this.tab} aria-controls="panel" tabindex=${name === this.tab ? 0 : -1} @click=${() => void this.show(name)}>${say(lang, name)}</button>`,
+          <button id="tab-${name}" role="tab" aria-selected=${name === this.tab} aria-controls="panel"
+          tabindex=${name === this.tab ? 0 : -1} @click=${() => void this.show(name)}>${say(lang, name)}</button>`,
       )}</div>
       <div id="panel" class="panel" role="tabpanel" aria-labelledby="tab-${this.tab}">${this.inside ?? nothing}</div>`;
   }

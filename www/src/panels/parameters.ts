@@ -73,8 +73,11 @@ export class Parameters extends AppElement {
     const shown = this.all || basic.length === 0 ? parameters : basic;
     return html`
       <div class="head"><h2>${marker(focus)}${plannerName(lang, focus)}</h2>
-        <button class="link" ?disabled=${Object.keys(settings).length === 0} @click=${() => this.app.store.edit(withSettings(scene, focus, {}))}>${this.t("inspect.reset")}</button></div>
-      ${this.member()}${this.narrowest(Number(settings["margin"] ?? parameters.find(({ name }) => name === "margin")?.default ?? 0))}
+        <button class="link" ?disabled=${Object.keys(settings).length === 0}
+          @click=${() => this.app.store.edit(withSettings(scene, focus, {}))}>${this.t("inspect.reset")}</button></div>
+      ${this.member()}${this.narrowest(
+        Number(settings["margin"] ?? parameters.find(({ name }) => name === "margin")?.default ?? 0),
+      )}
       ${shown.map((info) => this.parameter(info, settings))}
       ${
         basic.length > 0 && basic.length < parameters.length
@@ -96,7 +99,17 @@ export class Parameters extends AppElement {
       angle: this.num(member.headingResolution * DEGREES, member.headingResolution * DEGREES < 1 ? 1 : 0),
       margin: this.metres(member.margin),
     };
-    return html`<p class="member">${say(lang, plan.outcome === "found" ? (member.fromGoal ? "fromGoal" : "fromStart") : plan.outcome === "no-path" ? "none" : "spent", values)}</p>`;
+    return html`<p class="member">${say(
+      lang,
+      plan.outcome === "found"
+        ? member.fromGoal
+          ? "fromGoal"
+          : "fromStart"
+        : plan.outcome === "no-path"
+          ? "none"
+          : "spent",
+      values,
+    )}</p>`;
   }
 
   private metres(value: number): string {
@@ -117,7 +130,8 @@ export class Parameters extends AppElement {
     };
     const show = (): void => this.app.store.set({ preview: { planner: focus, plan, place } }),
       hide = (): void => this.app.store.set({ preview: null });
-    return html`<p class="member"><button class="narrow" @pointerenter=${show} @pointerleave=${hide} @focus=${show} @blur=${hide}>${say(lang, "narrow", values)}</button></p>`;
+    return html`<p class="member"><button class="narrow" @pointerenter=${show} @pointerleave=${hide} @focus=${show}
+      @blur=${hide}>${say(lang, "narrow", values)}</button></p>`;
   }
 
   private parameter(info: ParameterInfo, settings: Settings): TemplateResult {
@@ -133,13 +147,15 @@ export class Parameters extends AppElement {
 
   private control(info: ParameterInfo, value: unknown): TemplateResult {
     if (info.type === "boolean") {
-      return html`<label class="switch"><input type="checkbox" aria-labelledby="n-${info.name}" .checked=${value === true}
+      return html`<label class="switch"><input type="checkbox" aria-labelledby="n-${info.name}"
+        .checked=${value === true}
         @change=${(e: Event) => this.change(info, isChecked(e), false)}></label>`;
     }
     if (info.type === "choice") {
       return html`<div class="segmented" role="group" aria-labelledby="n-${info.name}">${(info.choices ?? []).map(
         (choice) => html`
-        <button aria-pressed=${choice === value} @click=${() => this.change(info, choice, false)}>${this.choiceName(choice)}</button>`,
+          <button aria-pressed=${choice === value} @click=${() =>
+            this.change(info, choice, false)}>${this.choiceName(choice)}</button>`,
       )}</div>`;
     }
     return this.slider(info, value);
@@ -155,10 +171,15 @@ export class Parameters extends AppElement {
     const step = info.step ?? (info.type === "integer" ? 1 : (max - min) / 100);
     const now = typeof value === "number" ? value : min;
     const at = max > min ? ((Math.min(max, Math.max(min, now)) - min) / (max - min)) * 100 : 0;
-    return html`<input class="slider" type="range" min=${min} max=${max} step=${step} .value=${String(now)} .style=${`--at: ${at}%`}
+    return html`<input class="slider" type="range" min=${min} max=${max} step=${step} .value=${String(now)}
+      .style=${`--at: ${at}%`}
       aria-labelledby="n-${info.name}" aria-valuetext=${this.valueText(info, value)}
-      @input=${(e: Event) => this.change(info, numberOf(e), true)} @change=${(e: Event) => this.change(info, numberOf(e), false)}>
-      <div class="range" aria-hidden="true"><span>${this.valueText(info, min)}</span><span>${this.valueText(info, max)}</span></div>`;
+      @input=${(e: Event) => this.change(info, numberOf(e), true)}
+      @change=${(e: Event) => this.change(info, numberOf(e), false)}>
+      <div class="range" aria-hidden="true"><span>${this.valueText(
+        info,
+        min,
+      )}</span><span>${this.valueText(info, max)}</span></div>`;
   }
 
   private valueText(info: ParameterInfo, value: unknown): string {

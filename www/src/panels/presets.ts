@@ -104,7 +104,8 @@ export class Presets extends DialogElement {
       ${this.top(
         this.t("scenes.title"),
         this.t("scenes.lead"),
-        html`<button class="button outline tables" @click=${this.showTables}>${icon("cells", 14)}${this.t("bar.papers")}</button>`,
+        html`<button class="button outline tables"
+          @click=${this.showTables}>${icon("cells", 14)}${this.t("bar.papers")}</button>`,
       )}
       <div class="groups"><div class="segmented" role="group" aria-label=${this.t("scenes.title")}>${groups.map(
         (group) => html`
@@ -112,15 +113,26 @@ export class Presets extends DialogElement {
             this.group = group;
           }}>${this.groupName(group)}</button>`,
       )}</div></div>
-      <div class="scroll">${this.group === CASE ? this.cases(all) : html`<ul>${this.group === "all" ? this.newCard() : nothing}${shown.map((info) => this.card(info, DRAWN[info.group] ?? "hybrid"))}</ul>`}
-        ${["all", "grid", GENERATE].includes(this.group) ? html`<parkade-generate .app=${this.app} @opened=${this.close}></parkade-generate>` : nothing}</div>
+      <div class="scroll">${
+        this.group === CASE
+          ? this.cases(all)
+          : html`<ul>${this.group === "all" ? this.newCard() : nothing}${shown.map((info) =>
+              this.card(info, DRAWN[info.group] ?? "hybrid"),
+            )}</ul>`
+      }
+        ${
+          ["all", "grid", GENERATE].includes(this.group)
+            ? html`<parkade-generate .app=${this.app} @opened=${this.close}></parkade-generate>`
+            : nothing
+        }</div>
       <footer>${icon("open")}<b>${this.t("scenes.own")}</b><p>${this.t("scenes.ownHelp")}</p>
         <button class="button outline" @click=${this.choose}>${this.t("scenes.choose")}</button></footer>`;
   }
 
   private newCard(): TemplateResult {
     const { lang } = this.state;
-    return html`<li><button @click=${this.newLot}><span class="new"><svg viewBox="0 0 16 16" width="28" fill="none" stroke="currentColor"><path d="M8 2.5v11M2.5 8h11"/></svg></span>
+    return html`<li><button @click=${this.newLot}><span class="new"><svg viewBox="0 0 16 16" width="28" fill="none"
+      stroke="currentColor"><path d="M8 2.5v11M2.5 8h11"/></svg></span>
       <span class="words"><b>${say(lang, "newLot")}</b><i>${say(lang, "numbers")}</i></span></button></li>`;
   }
 
@@ -135,8 +147,14 @@ export class Presets extends DialogElement {
       suits = say(this.state.lang, "suits", { planner: plannerName(this.state.lang, planner) });
     if (!solved.has(key)) this.asked.push([info.id, planner]);
     return html`<li><button aria-current=${info.id === this.app.preset} @click=${run}>
-      <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} .plan=${solved.get(key)} ?whole=${info.group === "grid" || info.group === "road"}></parkade-thumbnail>
-      <span class="words"><b>${title}<span class="by" title=${suits}>${marker(planner)}<span class="sr">${suits}</span></span></b><i>${question}</i><small>${this.factOf(info.id, planner)}</small></span></button></li>`;
+      <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} .plan=${solved.get(key)}
+        ?whole=${info.group === "grid" || info.group === "road"}></parkade-thumbnail>
+      <span class="words"><b>${title}<span class="by"
+        title=${suits}>${marker(planner)}<span
+        class="sr">${suits}</span></span></b><i>${question}</i><small>${this.factOf(
+          info.id,
+          planner,
+        )}</small></span></button></li>`;
   }
 
   /** Summary of the plan on the card; empty until it exists. */

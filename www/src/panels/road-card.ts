@@ -98,8 +98,23 @@ export class RoadCard extends AppElement {
       { plan } = this;
     if (this.hidden) return nothing;
     return html`<div class="head"><h2>${say(lang, "title")}</h2><span>${plannerName(lang, focus)}</span></div>
-      ${plan ? html`${this.rows(plan)}${plan.detail === "smoothing-fell-back" ? html`<p class="warn">${say(lang, "fellBack")}</p>` : nothing}${plan.detail === "less-margin" && "marginKept" in plan.metrics ? html`<p class="warn">${say(lang, plan.metrics.marginExcluded ? "noMargin" : "lessMargin", { kept: this.num(plan.metrics.marginKept ?? 0, 2), margin: this.num(plan.metrics.margin ?? 0, 2) })}</p>` : nothing}${this.chances(plan)}` : html`<p>${say(lang, "none")}</p>`}
-      ${this.failure ? html`<p class="warn" role="alert">${say(lang, "failed", { reason: this.failure })}</p>` : nothing}`;
+      ${
+        plan
+          ? html`${this.rows(plan)}${
+              plan.detail === "smoothing-fell-back" ? html`<p class="warn">${say(lang, "fellBack")}</p>` : nothing
+            }${
+              plan.detail === "less-margin" && "marginKept" in plan.metrics
+                ? html`<p class="warn">${say(lang, plan.metrics.marginExcluded ? "noMargin" : "lessMargin", {
+                    kept: this.num(plan.metrics.marginKept ?? 0, 2),
+                    margin: this.num(plan.metrics.margin ?? 0, 2),
+                  })}</p>`
+                : nothing
+            }${this.chances(plan)}`
+          : html`<p>${say(lang, "none")}</p>`
+      }
+      ${
+        this.failure ? html`<p class="warn" role="alert">${say(lang, "failed", { reason: this.failure })}</p>` : nothing
+      }`;
   }
 
   private rows(plan: Plan): TemplateResult | typeof nothing {
@@ -110,11 +125,23 @@ export class RoadCard extends AppElement {
     const row = (name: string, value: string, unit: string): TemplateResult =>
       html`<dt>${name}</dt><dd>${value} <small>${unit}</small></dd>`;
     return html`<dl class=${figures.of === plan ? "" : "old"}>
-      ${row(say(lang, "bodyClearance"), `${this.num(f.bodyClearanceMin, 2)} / ${this.num(f.bodyClearanceMean, 2)}`, "m")}
-      ${row(say(lang, "sideClearance"), `${this.num(f.sideClearanceMin, 2)} / ${this.num(f.sideClearanceMean, 2)}`, "m")}
+      ${row(
+        say(lang, "bodyClearance"),
+        `${this.num(f.bodyClearanceMin, 2)} / ${this.num(f.bodyClearanceMean, 2)}`,
+        "m",
+      )}
+      ${row(
+        say(lang, "sideClearance"),
+        `${this.num(f.sideClearanceMin, 2)} / ${this.num(f.sideClearanceMean, 2)}`,
+        "m",
+      )}
       ${row(say(lang, "curvatureVariation"), this.num(f.curvatureVariation, 2), "1/m")}
       ${row(say(lang, "curvature"), this.num(f.middleCurvature, 3), "1/m")}
-      ${f.laneDeviationMax === null ? nothing : row(say(lang, "lane"), `${this.num(f.laneDeviationMean ?? 0, 2)} / ${this.num(f.laneDeviationMax, 2)}`, "m")}</dl>`;
+      ${
+        f.laneDeviationMax === null
+          ? nothing
+          : row(say(lang, "lane"), `${this.num(f.laneDeviationMean ?? 0, 2)} / ${this.num(f.laneDeviationMax, 2)}`, "m")
+      }</dl>`;
   }
 
   private chances(plan: Plan): TemplateResult {
@@ -124,11 +151,22 @@ export class RoadCard extends AppElement {
     return html`<h3>${say(lang, "risk")}</h3><p>${say(lang, "riskHelp")}</p>
       <div class="row">${
         this.running
-          ? html`<button class="button outline small" @click=${this.cancel}>${icon("close", 14)}${say(lang, "cancel")}</button>
-        <progress max=${risk?.trials ?? 1000} .value=${risk?.value.trials ?? 0} aria-label=${text}></progress><span>${text}</span>`
-          : html`<button class="button outline small" @click=${() => void this.drive(plan)}>${say(lang, risk ? "again" : "run")}</button>`
+          ? html`<button class="button outline small"
+            @click=${this.cancel}>${icon("close", 14)}${say(lang, "cancel")}</button>
+            <progress max=${risk?.trials ?? 1000} .value=${risk?.value.trials ?? 0}
+            aria-label=${text}></progress><span>${text}</span>`
+          : html`<button class="button outline small"
+            @click=${() => void this.drive(plan)}>${say(lang, risk ? "again" : "run")}</button>`
       }</div>
-      ${risk ? html`<p class="done" role="status">${say(lang, "hits", { hits: this.num(risk.value.hits, 0), of: risk.value.trials, disc: this.num(risk.value.discHits, 0) })}</p>` : nothing}`;
+      ${
+        risk
+          ? html`<p class="done" role="status">${say(lang, "hits", {
+              hits: this.num(risk.value.hits, 0),
+              of: risk.value.trials,
+              disc: this.num(risk.value.discHits, 0),
+            })}</p>`
+          : nothing
+      }`;
   }
 
   private get plan(): Plan | null {

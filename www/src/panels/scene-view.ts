@@ -75,7 +75,8 @@ export class SceneView extends LitElement {
   }
 
   protected override render(): unknown {
-    return html`<canvas part="canvas" tabindex="0" role="application" aria-label=${this.label} @parkade-pose=${this.enterPose}></canvas><span class="scale" hidden></span>`;
+    return html`<canvas part="canvas" tabindex="0" role="application" aria-label=${this.label}
+      @parkade-pose=${this.enterPose}></canvas><span class="scale" hidden></span>`;
   }
 
   override connectedCallback(): void {

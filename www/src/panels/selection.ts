@@ -76,7 +76,9 @@ export class SelectionCard extends AppElement {
     if (cost) return this.cost(cost);
     const slot = selection?.kind === "slot" ? findSlot(scene, selection.id) : undefined;
     if (slot) return this.slotCard(slot);
-    return html`<div class="head"><h2>${this.t("ground.title")}</h2><span>${this.t("inspect.none")}</span></div><parkade-ground .app=${this.app}></parkade-ground><p>${this.t("inspect.noneHelp")}</p>`;
+    return html`<div
+      class="head"><h2>${this.t("ground.title")}</h2><span>${this.t("inspect.none")}</span></div><parkade-ground
+      .app=${this.app}></parkade-ground><p>${this.t("inspect.noneHelp")}</p>`;
   }
 
   private heading(name: string): TemplateResult {
@@ -93,7 +95,9 @@ export class SelectionCard extends AppElement {
   }
 
   private obstacle(obstacle: Obstacle): TemplateResult {
-    return html`${this.heading(objectName(this.state.lang, obstacle))}${obstacle.type === "road" ? this.road(obstacle) : this.fields(this.obstacleFields(obstacle))}
+    return html`${this.heading(objectName(this.state.lang, obstacle))}${
+      obstacle.type === "road" ? this.road(obstacle) : this.fields(this.obstacleFields(obstacle))
+    }
       ${this.deleteRow(() => this.edit(removeObstacle(this.state.scene, obstacle.id)))}`;
   }
 
@@ -154,7 +158,8 @@ export class SelectionCard extends AppElement {
       ],
       2,
     )}
-      <div class="row"><label class="check"><input type="checkbox" .checked=${road.kerbs ?? true} @change=${(e: Event) => this.edit(apply({ kerbs: isChecked(e) }))}>${say(lang, "kerbs")}</label></div>
+      <div class="row"><label class="check"><input type="checkbox" .checked=${road.kerbs ?? true}
+        @change=${(e: Event) => this.edit(apply({ kerbs: isChecked(e) }))}>${say(lang, "kerbs")}</label></div>
       <p>${say(lang, "vertices")}</p>`;
   }
 
@@ -194,7 +199,9 @@ export class SelectionCard extends AppElement {
   private cost({ id, weight }: CostArea): TemplateResult {
     const apply = (typed: number): Scene => reweigh(this.state.scene, id!, Math.round(typed));
     return html`${this.heading(this.t("thing.costName"))}
-      ${this.fields([{ label: this.t("option.weight"), unit: "×", value: weight, digits: 0, step: 1, min: 1, max: 10, apply }])}
+      ${this.fields([
+        { label: this.t("option.weight"), unit: "×", value: weight, digits: 0, step: 1, min: 1, max: 10, apply },
+      ])}
       <p>${say(this.state.lang, "cost")}</p>
       ${this.deleteRow(() => this.edit(removeCost(this.state.scene, id!)))}`;
   }
@@ -216,8 +223,16 @@ export class SelectionCard extends AppElement {
         <button class="button outline small push" ?disabled=${isGoal || (slot.occupied ?? false)}
           @click=${() => this.edit(setGoalFromSlot(this.state.scene, id))}>${this.t("inspect.makeGoal")}</button>
       </div>
-      <div class="row"><button class="button outline small" @click=${() => this.edit(turnRows(this.state.scene, [id]))}>${icon("flip", 14)}${say(this.state.lang, "aisle")}</button></div>
-      ${isGoal ? html`<p>${this.t("inspect.goalSlot")}</p>` : this.deleteRow(() => this.edit(removeSlot(this.state.scene, id)))}`;
+      <div class="row"><button class="button outline small"
+        @click=${() =>
+          this.edit(
+            turnRows(this.state.scene, [id]),
+          )}>${icon("flip", 14)}${say(this.state.lang, "aisle")}</button></div>
+      ${
+        isGoal
+          ? html`<p>${this.t("inspect.goalSlot")}</p>`
+          : this.deleteRow(() => this.edit(removeSlot(this.state.scene, id)))
+      }`;
   }
 
   private fields(fields: readonly Field[], across = 3): TemplateResult {
@@ -227,7 +242,8 @@ export class SelectionCard extends AppElement {
   }
 
   private field({ label, unit, value, digits, step, min, max, apply }: Field): TemplateResult {
-    return html`<label class="field"><span>${label}</span><input type="number" step=${step} min=${min ?? nothing} max=${max ?? nothing} .value=${value.toFixed(digits)}
+    return html`<label class="field"><span>${label}</span><input type="number" step=${step} min=${min ?? nothing}
+      max=${max ?? nothing} .value=${value.toFixed(digits)}
       @change=${({ currentTarget: input }: On<HTMLInputElement>) => {
         const typed = Number(input.value);
         if (
@@ -242,7 +258,8 @@ export class SelectionCard extends AppElement {
   }
 
   private deleteRow(run: () => void): TemplateResult {
-    return html`<div class="row"><button class="button danger small" @click=${run}>${icon("trash", 14)}${this.t("inspect.delete")}</button><span class="keys push">Del</span></div>`;
+    return html`<div class="row"><button class="button danger small"
+      @click=${run}>${icon("trash", 14)}${this.t("inspect.delete")}</button><span class="keys push">Del</span></div>`;
   }
 
   private edit(scene: Scene): void {

@@ -79,24 +79,39 @@ export class SheetDialog extends DialogElement {
     const layers = DRAWING_LAYERS.filter(
       (layer) => this.plan || ["ground", "bays", "obstacles", "parked"].includes(layer),
     );
-    return html`${this.top(say(lang, "title"), "paper" in made ? say(lang, "lead", { paper: made.paper, scale: this.scale }) : nothing)}
-      <div class="scroll split"><div class="sheet">${"svg" in made ? unsafeHTML(made.svg) : html`<p class="fault" role="alert">${made.reason}</p>`}</div>
+    return html`${this.top(
+      say(lang, "title"),
+      "paper" in made ? say(lang, "lead", { paper: made.paper, scale: this.scale }) : nothing,
+    )}
+      <div class="scroll split"><div class="sheet">${
+        "svg" in made ? unsafeHTML(made.svg) : html`<p class="fault" role="alert">${made.reason}</p>`
+      }</div>
       <div class="side">
         <label>${say(lang, "scale")}<select @change=${(event: Event) => {
           this.scale = Number(valueOf(event));
-        }}>${SCALES.map((scale) => html`<option value=${scale} ?selected=${scale === this.scale}>1:${scale}</option>`)}</select></label>
+        }}>${SCALES.map(
+          (scale) => html`<option value=${scale} ?selected=${scale === this.scale}>1:${scale}</option>`,
+        )}</select></label>
         ${
           this.plan
-            ? html`<label>${say(lang, "every")}<span class="field"><input type="number" min="0.5" max="50" step="0.5" .value=${String(this.every)} @change=${(
-                event: Event,
-              ) => {
+            ? html`<label>${say(lang, "every")}<span class="field"><input type="number" min="0.5" max="50" step="0.5"
+              .value=${String(this.every)} @change=${(event: Event) => {
                 const typed = numberOf(event);
                 if (typed >= 0.5 && typed <= 50) this.every = typed;
               }}><span>m</span></span></label>`
             : nothing
         }
-        ${layers.map((layer) => html`<label class="check"><input type="checkbox" .checked=${this.chosen.has(layer)} @change=${(event: Event) => this.show(layer, isChecked(event))}>${say(lang, layer)}</label>`)}
-        <div class="files">${(["print", "svg", "dxf", "csv"] as const).map((format) => html`<button class="button outline" ?disabled=${(format === "csv" && !this.plan) || ("reason" in made && format !== "dxf")} @click=${() => this.save(format)}>${say(lang, format)}</button>`)}</div>
+        ${layers.map(
+          (layer) =>
+            html`<label class="check"><input type="checkbox" .checked=${this.chosen.has(layer)}
+              @change=${(event: Event) => this.show(layer, isChecked(event))}>${say(lang, layer)}</label>`,
+        )}
+        <div class="files">${(["print", "svg", "dxf", "csv"] as const).map(
+          (format) =>
+            html`<button class="button outline" ?disabled=${
+              (format === "csv" && !this.plan) || ("reason" in made && format !== "dxf")
+            } @click=${() => this.save(format)}>${say(lang, format)}</button>`,
+        )}</div>
       </div></div>`;
   }
 

@@ -118,7 +118,8 @@ export class SitePlanDialog extends DialogElement {
     const made = this.made(plan);
     return html`${this.top(say(lang, "title"), this.name)}
       <div class="scroll"><form novalidate @submit=${(event: Event) => this.accept(event, made)}>
-        <parkade-site-plan-preview .app=${this.app} .plan=${plan} .roles=${roles} .unit=${unit} .lit=${lit} .ruler=${ruler} .scene=${"scene" in made ? made.scene : null}
+        <parkade-site-plan-preview .app=${this.app} .plan=${plan} .roles=${roles} .unit=${unit} .lit=${lit}
+          .ruler=${ruler} .scene=${"scene" in made ? made.scene : null}
           label=${say(lang, "preview")} @ruler=${(event: CustomEvent<[Point, Point]>) => {
             this.ruler = event.detail;
           }}></parkade-site-plan-preview>
@@ -129,7 +130,11 @@ export class SitePlanDialog extends DialogElement {
             this.around = value;
           })}
           ${("reason" in made ? plan : made).notes.map((note) => html`<p>${reasonIn(lang, sentence(note))}</p>`)}
-          ${"reason" in made ? html`<p class="fault" role="alert">${reasonIn(lang, made.reason)}</p>` : html`<p aria-live="polite">${say(lang, "found", made.counts)} ${this.size(made)}</p>`}
+          ${
+            "reason" in made
+              ? html`<p class="fault" role="alert">${reasonIn(lang, made.reason)}</p>`
+              : html`<p aria-live="polite">${say(lang, "found", made.counts)} ${this.size(made)}</p>`
+          }
           <button class="button solid" ?disabled=${"reason" in made}>${say(lang, "open")}</button></div></form></div>`;
   }
 
@@ -138,12 +143,18 @@ export class SitePlanDialog extends DialogElement {
       light = (to: string) => () => {
         this.lit = to;
       };
-    return html`<li @pointerenter=${light(name)} @pointerleave=${light("")}><span title=${name}>${withoutReference(name)} <small>${say(lang, "count", { n: lines })}</small></span>
+    return html`<li @pointerenter=${light(name)}
+      @pointerleave=${light("")}><span title=${name}>${withoutReference(name)}
+      <small>${say(lang, "count", { n: lines })}</small></span>
       <select aria-label=${say(lang, "role", { layer: name })} @focus=${light(name)} @blur=${light("")} @change=${(
         event: Event,
       ) => {
         this.roles = { ...this.roles, [name]: chosenOf(event, ROLES) };
-      }}>${ROLES.map((role) => html`<option value=${role} .selected=${role === this.roles[name]} ?selected=${role === this.roles[name]}>${say(lang, role)}</option>`)}</select></li>`;
+      }}>${ROLES.map(
+        (role) =>
+          html`<option value=${role} .selected=${role === this.roles[name]}
+            ?selected=${role === this.roles[name]}>${say(lang, role)}</option>`,
+      )}</select></li>`;
   }
 
   private scale(plan: SitePlan): TemplateResult {
@@ -180,7 +191,8 @@ export class SitePlanDialog extends DialogElement {
     unit: string,
     set: (value: number) => void,
   ): TemplateResult {
-    return html`<label>${say(this.state.lang, key)}<span class="field"><input type="number" min="0" step="any" .value=${String(value)} @change=${(event: Event) => set(numberOf(event))}><span>${unit}</span></span></label>`;
+    return html`<label>${say(this.state.lang, key)}<span class="field"><input type="number" min="0" step="any"
+      .value=${String(value)} @change=${(event: Event) => set(numberOf(event))}><span>${unit}</span></span></label>`;
   }
 
   private across({ layers }: SitePlan): string {

@@ -61,7 +61,8 @@ export class SitePlanPreview extends AppElement {
   }
 
   protected override render(): TemplateResult {
-    return html`<canvas role="img" aria-label=${this.label} @pointerdown=${this.down} @pointermove=${this.move}></canvas>`;
+    return html`<canvas role="img" aria-label=${this.label} @pointerdown=${this.down}
+      @pointermove=${this.move}></canvas>`;
   }
 
   protected override updated(): void {

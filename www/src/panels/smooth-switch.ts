@@ -37,8 +37,11 @@ export class SmoothSwitch extends AppElement {
       { lang, smooth } = state;
     if (!canSmooth(state) || state.hidden.has(planner) || !drivablePlan(state.results[planner])) return nothing;
     const title = say(lang, smooth ? "on" : "off");
-    return html`<button role="switch" aria-checked=${smooth === true} aria-label=${say(lang, "name")} title=${title} @click=${() => chooseSmooth(this.app.store, !smooth)}>
-      <svg width="16" height="16" viewBox="0 0 16 16" fill="none" stroke="currentColor" stroke-width="1.5" stroke-linecap="round" aria-hidden="true"><path d="M2 12.5c7 0 5-9 12-9"/></svg><span>${say(lang, "name")}</span></button>`;
+    return html`<button role="switch" aria-checked=${smooth === true} aria-label=${say(lang, "name")} title=${title}
+      @click=${() => chooseSmooth(this.app.store, !smooth)}>
+      <svg width="16" height="16" viewBox="0 0 16 16" fill="none" stroke="currentColor" stroke-width="1.5"
+        stroke-linecap="round"
+        aria-hidden="true"><path d="M2 12.5c7 0 5-9 12-9"/></svg><span>${say(lang, "name")}</span></button>`;
   }
 }
 

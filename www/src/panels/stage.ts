@@ -114,15 +114,22 @@ export class Stage extends AppElement {
       : html`<parkade-view-controls .app=${this.app} ?compact=${this.compact}></parkade-view-controls>`;
     if (this.compact || mode === "overlay") return html`${this.overlay()}${view}`;
     if (mode === "grid")
-      return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) => this.panel(planner))}</div>${view}`;
+      return html`<div class="grid" data-n=${planners.length}>${planners.map((planner) =>
+        this.panel(planner),
+      )}</div>${view}`;
     const others = planners.filter((planner) => planner !== focus);
     return html`<div class="focus" .style=${`--thumbs:${Math.max(1, others.length)}`}>
       <parkade-panel part="panel" exportparts="canvas" class="large" .app=${this.app} .planner=${focus}></parkade-panel>
-      ${others.map((planner) => html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner} data-planner=${planner} thumb></parkade-panel>`)}</div>${view}`;
+      ${others.map(
+        (planner) =>
+          html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner}
+            data-planner=${planner} thumb></parkade-panel>`,
+      )}</div>${view}`;
   }
 
   private panel(planner: PlannerId): TemplateResult {
-    return html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner} data-planner=${planner}></parkade-panel>`;
+    return html`<parkade-panel part="panel" exportparts="canvas" .app=${this.app} .planner=${planner}
+      data-planner=${planner}></parkade-panel>`;
   }
 
   private overlay(): TemplateResult {
@@ -130,7 +137,8 @@ export class Stage extends AppElement {
     const shown = planners.filter((planner) => !hidden.has(planner) && planner !== focus);
     if (!hidden.has(focus)) shown.push(focus);
     return html`<div class="one">
-      <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${shown} .label=${this.t("panel.overlay")}></parkade-scene-view>
+      <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${shown}
+        .label=${this.t("panel.overlay")}></parkade-scene-view>
       ${this.bare ? nothing : this.notes()}</div>`;
   }
 
@@ -138,14 +146,19 @@ export class Stage extends AppElement {
   private notes(): TemplateResult {
     const { focus } = this.state;
     return html`${this.compact ? nothing : html`<parkade-failure .app=${this.app}></parkade-failure>`}
-      ${this.compact ? [this.heading(), laterTexts()?.readoutOf(this.state, focus)] : this.legend()}${this.state.scene.costs ? laterTexts()?.weightsOf(this.state) : nothing}`;
+      ${
+        this.compact ? [this.heading(), laterTexts()?.readoutOf(this.state, focus)] : this.legend()
+      }${this.state.scene.costs ? laterTexts()?.weightsOf(this.state) : nothing}`;
   }
 
   private heading(): TemplateResult {
     const { focus, results, lang } = this.state;
     const plan = played(results[focus])?.plan;
-    return html`<div class="title" @pointerdown=${this.grab} @pointerup=${this.flip}>${marker(focus)}${plannerName(lang, focus)}
-      <span>${plan?.outcome === "found" ? `${this.num(plan.metrics.length, 2)} m` : statusOf(this.state, focus).brief}</span></div>`;
+    return html`<div class="title" @pointerdown=${this.grab}
+      @pointerup=${this.flip}>${marker(focus)}${plannerName(lang, focus)}
+      <span>${
+        plan?.outcome === "found" ? `${this.num(plan.metrics.length, 2)} m` : statusOf(this.state, focus).brief
+      }</span></div>`;
   }
 
   private readonly grab = (event: On<HTMLElement, PointerEvent>): void => {
@@ -166,9 +179,13 @@ export class Stage extends AppElement {
     const { state } = this;
     return html`<div class="legend" role="group" aria-label=${this.t("chips.label")}>${state.planners.map((planner) => {
       const status = statusOf(state, planner);
-      return html`<button data-planner=${planner} aria-pressed=${planner === state.focus} class=${state.hidden.has(planner) ? "off" : ""} @click=${() => this.app.store.set({ focus: planner })}>
+      return html`<button data-planner=${planner} aria-pressed=${planner === state.focus}
+        class=${state.hidden.has(planner) ? "off" : ""} @click=${() => this.app.store.set({ focus: planner })}>
         ${marker(planner)}${lineSample(planner)}<b>${plannerName(state.lang, planner)}</b>
-        <span class="ms">${searchTime(state.lang, state.results[planner])}</span><span class=${status.tone}>${status.brief}</span></button>`;
+        <span class="ms">${searchTime(
+          state.lang,
+          state.results[planner],
+        )}</span><span class=${status.tone}>${status.brief}</span></button>`;
     })}</div>`;
   }
 }

@@ -35,7 +35,10 @@ export function svgOf(host: HTMLElement, views: readonly SceneView[], state: Sta
     });
   const width = Math.round(outer.width),
     height = Math.round(outer.height);
-  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">${maps.join("")}</svg>\n`;
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" ` +
+    `width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">${maps.join("")}</svg>\n`
+  );
 }
 
 /** The colours that the page has set. */

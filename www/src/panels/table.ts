@@ -87,8 +87,11 @@ export class MetricsTable extends AppElement {
     const columns = this.compact ? SMALL : COLUMNS;
     return html`<div class="scroll" tabindex="0" role="region" aria-label=${this.t("table.label")}><table>
         <caption class="sr">${this.t("table.label")}</caption>
-        <colgroup>${(this.compact ? SMALL_WIDTHS : WIDTHS).map((width) => html`<col .style=${`width:${width}%`}>`)}</colgroup>
-        <thead><tr><th scope="col">${this.t("table.planner")}</th><th scope="col">${this.t("table.status")}</th>${columns.map((column) => this.head(column))}</tr></thead>
+        <colgroup>${(this.compact ? SMALL_WIDTHS : WIDTHS).map(
+          (width) => html`<col .style=${`width:${width}%`}>`,
+        )}</colgroup>
+        <thead><tr><th scope="col">${this.t("table.planner")}</th><th
+          scope="col">${this.t("table.status")}</th>${columns.map((column) => this.head(column))}</tr></thead>
         <tbody>${rows.map((row) => this.row(row, columns))}</tbody>
       </table></div>
       ${this.compact ? nothing : this.footer()}`;
@@ -99,14 +102,19 @@ export class MetricsTable extends AppElement {
     const small = this.compact && (column === "gears" || column === "clearance");
     const name = small ? this.t(`short.${column as "gears" | "clearance"}`) : this.t(`table.${column}`);
     const units: Partial<Record<Column, string>> = { length: "m", gears: "", clearance: "m", plan: "ms" };
-    return html`<th scope="col" title=${this.t(`tip.${column}`)}>${name} <small .textContent=${this.compact ? (units[column] ?? "") : unit}></small></th>`;
+    return html`<th scope="col" title=${this.t(`tip.${column}`)}>${name}
+      <small .textContent=${this.compact ? (units[column] ?? "") : unit}></small></th>`;
   }
 
   private row(row: Row, columns: readonly Column[]): TemplateResult {
     const { focus } = this.state;
     const tone = row.status.tone === "err" ? "err" : "";
-    return html`<tr data-planner=${row.planner} class="${row.planner === focus ? "chosen" : ""} ${row.drivable ? "" : "grey"}" @click=${() => this.app.store.set({ focus: row.planner })}>
-      <th scope="row"><button aria-pressed=${row.planner === focus}>${marker(row.planner)}${this.compact ? shortName(this.state.lang, row.planner) : row.name}</button></th>
+    return html`<tr data-planner=${row.planner} class="${
+      row.planner === focus ? "chosen" : ""
+    } ${row.drivable ? "" : "grey"}" @click=${() => this.app.store.set({ focus: row.planner })}>
+      <th scope="row"><button aria-pressed=${row.planner === focus}>${marker(row.planner)}${
+        this.compact ? shortName(this.state.lang, row.planner) : row.name
+      }</button></th>
       ${
         row.hidden
           ? html`<td></td>${columns.map(() => html`<td></td>`)}`
@@ -114,7 +122,12 @@ export class MetricsTable extends AppElement {
         <td class=${tone}>${this.compact ? row.status.tiny : row.status.brief}</td>
         ${columns.map((column) => {
           const { text, best, title } = row.cells[column];
-          return html`<td class=${best ? "best" : ""} title=${title || nothing}>${best ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>` : nothing}<span .textContent=${text}></span></td>`;
+          return html`<td class=${best ? "best" : ""}
+            title=${title || nothing}>${
+              best
+                ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>`
+                : nothing
+            }<span .textContent=${text}></span></td>`;
         })}`
       }
     </tr>`;
@@ -123,8 +136,11 @@ export class MetricsTable extends AppElement {
   private footer(): TemplateResult {
     return html`<footer><span title=${this.t("table.rule")}>★ ${this.t("table.rule")}</span>${this.hash()}
       <span class="end">
-        <button class="button" popovertarget="copy" aria-expanded=${this.menus.open === "copy"} @click=${(e: On<HTMLElement>) => this.menus.toggle("copy", e.currentTarget)}>
-          ${icon(this.copied ? "check" : "copy", 14)}${this.t(this.copied ? "table.copied" : "table.copy")}${icon("down", 14)}</button>
+        <button class="button" popovertarget="copy" aria-expanded=${this.menus.open === "copy"}
+          @click=${(e: On<HTMLElement>) => this.menus.toggle("copy", e.currentTarget)}>
+          ${icon(this.copied ? "check" : "copy", 14)}${this.t(
+            this.copied ? "table.copied" : "table.copy",
+          )}${icon("down", 14)}</button>
         ${
           this.menus.open === "copy"
             ? html`<div class="popover right" id="copy" popover>${(["markdown", "csv", "json"] as const).map(
@@ -133,7 +149,8 @@ export class MetricsTable extends AppElement {
               )}</div>`
             : nothing
         }
-        <button class="button" ?disabled=${this.benching} @click=${this.bench}>${this.t(this.benching ? "table.benching" : "table.bench")}</button>
+        <button class="button" ?disabled=${this.benching}
+          @click=${this.bench}>${this.t(this.benching ? "table.benching" : "table.bench")}</button>
       </span></footer>`;
   }
 
@@ -141,7 +158,9 @@ export class MetricsTable extends AppElement {
   private hash(): TemplateResult | typeof nothing {
     const hash = this.state.results[this.state.focus]?.plan?.hash;
     return hash
-      ? html`<button class="button hash" title="${this.t("table.hash")} ${hash}" @click=${() => void this.app.copy(hash)}>${marker(this.state.focus, 9)}${this.t("table.hashName")} ${hash.slice(0, 8)}</button>`
+      ? html`<button class="button hash" title="${this.t("table.hash")} ${hash}"
+        @click=${() => void this.app.copy(hash)}>${marker(this.state.focus, 9)}${this.t("table.hashName")}
+        ${hash.slice(0, 8)}</button>`
       : nothing;
   }
 

@@ -88,9 +88,13 @@ export class TaskCard extends AppElement {
     const { lang, hidden, planners } = this.state,
       { text, large } = this.task;
     const isHidden = planners.some((one) => hidden.has(one));
-    return html`<section class=${large ? "large" : ""} role="region" aria-label=${say(lang, "label")}><header><p>${text}</p>
-      <button class="icon" aria-label=${say(lang, "close")} title=${say(lang, "close")} @click=${() => this.remove()}>${icon("close")}</button></header>
-      <footer>${isHidden ? html`<button class="button solid" @click=${this.show}>${say(lang, "show")}</button>` : nothing}<small>${say(lang, "keys")}</small></footer></section>`;
+    return html`<section class=${large ? "large" : ""} role="region"
+      aria-label=${say(lang, "label")}><header><p>${text}</p>
+      <button class="icon" aria-label=${say(lang, "close")} title=${say(lang, "close")}
+        @click=${() => this.remove()}>${icon("close")}</button></header>
+      <footer>${
+        isHidden ? html`<button class="button solid" @click=${this.show}>${say(lang, "show")}</button>` : nothing
+      }<small>${say(lang, "keys")}</small></footer></section>`;
   }
 }
 
@@ -141,13 +145,16 @@ export class TaskDialog extends DialogElement {
       this.copied = false;
     };
     const check = (key: "hidden" | "large" | "step", now: boolean, take: (on: boolean) => void): TemplateResult =>
-      html`<label><input type="checkbox" .checked=${now} @change=${(e: Event) => take(isChecked(e))}>${say(lang, key)}</label>`;
+      html`<label><input type="checkbox" .checked=${now}
+        @change=${(e: Event) => take(isChecked(e))}>${say(lang, key)}</label>`;
     return html`${this.top(say(lang, "title"), say(lang, "lead"))}<form @submit=${this.copy}>
-      <textarea aria-label=${say(lang, "text")} placeholder=${say(lang, "text")} maxlength=${LONGEST_TASK} .value=${task.text} @input=${(e: Event) => set({ text: valueOf(e) })}></textarea>
+      <textarea aria-label=${say(lang, "text")} placeholder=${say(lang, "text")} maxlength=${LONGEST_TASK}
+        .value=${task.text} @input=${(e: Event) => set({ text: valueOf(e) })}></textarea>
       ${check("hidden", task.hidden, (hidden) => set({ hidden }))}
       ${check("step", task.step !== null, (on) => set({ step: on ? (this.step ?? 0) : null }))}
       ${check("large", task.large, (large) => set({ large }))}
-      <footer><p role="status">${this.copied ? say(lang, "copied") : ""}</p><button class="button solid" ?disabled=${task.text.trim() === ""}>${say(lang, "copy")}</button></footer></form>`;
+      <footer><p role="status">${this.copied ? say(lang, "copied") : ""}</p><button class="button solid"
+        ?disabled=${task.text.trim() === ""}>${say(lang, "copy")}</button></footer></form>`;
   }
 
   private readonly copy = async (event: Event): Promise<void> => {

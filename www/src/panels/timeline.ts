@@ -84,7 +84,8 @@ export class Timeline extends AppElement {
     );
     const fold = this.t(this.folded ? "chart.expand" : "chart.collapse");
     if (this.compact)
-      return html`<div class="row" role="group" aria-label=${this.t("time.label")}>${play}${this.scrubber()}${this.bases()}</div>`;
+      return html`<div class="row" role="group"
+        aria-label=${this.t("time.label")}>${play}${this.scrubber()}${this.bases()}</div>`;
     return html`<div class="row" role="group" aria-label=${this.t("time.label")}>
       ${this.button("first", "time.first", () => this.app.player.seek(0))}
       ${this.button("back", "time.back", (e) => this.app.player.step(-1, e.shiftKey))}
@@ -97,14 +98,16 @@ export class Timeline extends AppElement {
       ${this.state.playback.base === "search" ? this.unit() : nothing}
       ${this.state.scene.moving?.length ? this.waiting() : nothing}
       ${this.speed()}
-      <button class="icon ${this.app.player.loop ? "on" : ""}" aria-pressed=${this.app.player.loop} aria-label=${this.t("time.loop")} title=${this.t("time.loop")}
+      <button class="icon ${this.app.player.loop ? "on" : ""}" aria-pressed=${this.app.player.loop}
+        aria-label=${this.t("time.loop")} title=${this.t("time.loop")}
         @click=${() => {
           this.app.player.loop = !this.app.player.loop;
           this.requestUpdate();
         }}>${icon("loop")}</button>
       ${
         isLong(this.state.scene)
-          ? html`<button class="icon ${this.state.follow ? "on" : ""}" aria-pressed=${this.state.follow} aria-label=${this.t("time.follow")} title=${this.t("time.follow")}
+          ? html`<button class="icon ${this.state.follow ? "on" : ""}" aria-pressed=${this.state.follow}
+            aria-label=${this.t("time.follow")} title=${this.t("time.follow")}
         @click=${() => this.app.store.set({ follow: !this.state.follow, camera: null })}>${icon("car")}</button>`
           : nothing
       }
@@ -116,7 +119,11 @@ export class Timeline extends AppElement {
   private bases(): TemplateResult {
     const { base } = this.state.playback;
     return html`<div class="segmented" role="group" aria-label=${this.t("time.base")}>
-      ${(["search", "drive"] as const).map((one) => html`<button aria-pressed=${base === one} @click=${() => this.setBase(one)}>${this.t(`time.${one}`)}</button>`)}</div>`;
+      ${(["search", "drive"] as const).map(
+        (one) =>
+          html`<button aria-pressed=${base === one}
+            @click=${() => this.setBase(one)}>${this.t(`time.${one}`)}</button>`,
+      )}</div>`;
   }
 
   private setBase(base: "search" | "drive"): void {
@@ -130,13 +137,17 @@ export class Timeline extends AppElement {
     const { searchMode } = this.state.playback;
     return html`<select class="unit" aria-label=${this.t("time.unit")} .value=${searchMode}
       @change=${(e: Event) => this.app.player.set({ searchMode: valueOf(e) as State["playback"]["searchMode"] })}>
-      ${(["percent", "expansions"] as const).map((mode) => html`<option value=${mode} ?selected=${mode === searchMode}>${this.t(`time.${mode}`)}</option>`)}</select>`;
+      ${(["percent", "expansions"] as const).map(
+        (mode) => html`<option value=${mode} ?selected=${mode === searchMode}>${this.t(`time.${mode}`)}</option>`,
+      )}</select>`;
   }
 
   private waiting(): TemplateResult {
     return html`<select aria-label=${this.t("time.waiting")} title=${this.t("time.waiting")}
       @change=${(e: Event) => this.app.store.set({ waiting: valueOf(e) as State["waiting"] })}>
-      ${(["predictive", "reactive"] as const).map((one) => html`<option value=${one} ?selected=${one === this.state.waiting}>${this.t(`time.${one}`)}</option>`)}</select>`;
+      ${(["predictive", "reactive"] as const).map(
+        (one) => html`<option value=${one} ?selected=${one === this.state.waiting}>${this.t(`time.${one}`)}</option>`,
+      )}</select>`;
   }
 
   private speed(): TemplateResult {
@@ -166,9 +177,11 @@ export class Timeline extends AppElement {
     const { fraction } = this.state.playback;
     const done = `${fraction * 100}%`;
     return html`<div class="track">
-      <svg class="rails" aria-hidden="true"><line class="rail" x1="0" x2="100%" y1="16" y2="16"/><line class="done" x1="0" x2=${done} y1="16" y2="16"/></svg>
+      <svg class="rails" aria-hidden="true"><line class="rail" x1="0" x2="100%" y1="16" y2="16"/><line class="done"
+        x1="0" x2=${done} y1="16" y2="16"/></svg>
       ${laterTexts()?.gearMarks(this.state)}
-      <input class="slider" type="range" min="0" max="1" step="0.001" .value=${String(fraction)} aria-label=${this.t("time.position")} aria-valuetext=${this.position()}
+      <input class="slider" type="range" min="0" max="1" step="0.001" .value=${String(fraction)}
+        aria-label=${this.t("time.position")} aria-valuetext=${this.position()}
         @input=${(e: Event) => this.app.player.seek(numberOf(e))}>
     </div>`;
   }
@@ -178,7 +191,8 @@ export class Timeline extends AppElement {
     key: "time.first" | "time.back" | "time.play" | "time.pause" | "time.next" | "time.last",
     run: (event: MouseEvent) => void,
   ): TemplateResult {
-    return html`<button class="icon" aria-label=${this.t(key)} title=${this.t(key)} @click=${run}>${icon(name)}</button>`;
+    return html`<button class="icon" aria-label=${this.t(key)} title=${this.t(key)}
+      @click=${run}>${icon(name)}</button>`;
   }
 }
 

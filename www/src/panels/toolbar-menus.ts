@@ -36,7 +36,8 @@ export function planners(bar: Bar): TemplateResult {
     { planners, lang } = app.store.state;
   return html`${app.catalog?.planners.map(
     ({ id, title, paper }) => html`<label class="check" title=${cited(lang, paper)}>
-    <input type="checkbox" .checked=${planners.includes(id)} ?disabled=${planners.length === 1 && planners[0] === id} @change=${() => app.togglePlanner(id)}>
+      <input type="checkbox" .checked=${planners.includes(id)} ?disabled=${planners.length === 1 && planners[0] === id}
+      @change=${() => app.togglePlanner(id)}>
     ${marker(id)}${title[lang]}</label>`,
   )}
     <hr>${item(bar, "undo", "planners.first", () => app.showFirstPlanners())}`;
@@ -48,32 +49,65 @@ export function layers(bar: Bar): TemplateResult {
     { lang, layers } = store.state,
     now = presetOf(layers);
   return html`<div class="segmented" role="group" aria-label=${translate(lang, "layers.presets")}>
-      ${LAYER_PRESETS.map((preset) => html`<button aria-pressed=${preset === now} @click=${() => store.set({ layers: presetLayers(preset) })}>${translate(lang, `layers.${preset}`)}</button>`)}
+      ${LAYER_PRESETS.map(
+        (preset) =>
+          html`<button aria-pressed=${preset === now}
+            @click=${() =>
+              store.set({ layers: presetLayers(preset) })}>${translate(lang, `layers.${preset}`)}</button>`,
+      )}
     </div>
     ${ALL_LAYERS.map(
       (key) => html`<label class="check"><input type="checkbox" .checked=${layers[key]}
-      @change=${() => store.set({ layers: { ...store.state.layers, [key]: !store.state.layers[key] } })}>${translate(lang, `layer.${key}`)}</label>`,
+        @change=${() =>
+          store.set({
+            layers: { ...store.state.layers, [key]: !store.state.layers[key] },
+          })}>${translate(lang, `layer.${key}`)}</label>`,
     )}
-    <hr>${item(bar, "planners", "bar.debugger", () => void app.fetchPart(async () => (await import("./debugger")).toggleDebugger(app, bar)))}`;
+    <hr>${item(
+      bar,
+      "planners",
+      "bar.debugger",
+      () => void app.fetchPart(async () => (await import("./debugger")).toggleDebugger(app, bar)),
+    )}`;
 }
 
 export function exports(bar: Bar): TemplateResult {
   const { app } = bar;
-  return html`${item(bar, "slot", "bar.newLot", () => void app.fetchPart(async () => (await import("./new-lot")).openNewLot(app, bar)))}
+  return html`${item(
+    bar,
+    "slot",
+    "bar.newLot",
+    () => void app.fetchPart(async () => (await import("./new-lot")).openNewLot(app, bar)),
+  )}
     ${item(bar, "check", "bar.checkBays", bar.checkBays)}
     ${item(bar, "file", "bar.save", () => void app.saveFile())}
     ${item(bar, "open", "bar.open", () => bar.app.ask("open"))}
     ${item(bar, "image", "bar.png", () => bar.app.ask("png", 1))}
     ${item(bar, "image", "bar.png2", () => bar.app.ask("png", 2))}
-    ${item(bar, "play", "bar.movie", () => void app.fetchPart(async () => (await import("./movie")).openMovie(app, bar)))}
+    ${item(
+      bar,
+      "play",
+      "bar.movie",
+      () => void app.fetchPart(async () => (await import("./movie")).openMovie(app, bar)),
+    )}
     ${item(bar, "image", "bar.svg", () => void saveAs(app, "svg"))}
-    ${item(bar, "file", "bar.sheet", () => void app.fetchPart(async () => (await import("./sheet-dialog")).openSheet(app, bar)))}
+    ${item(
+      bar,
+      "file",
+      "bar.sheet",
+      () => void app.fetchPart(async () => (await import("./sheet-dialog")).openSheet(app, bar)),
+    )}
     ${item(bar, "moving", "bar.csv", () => void saveAs(app, "csv"))}
     ${item(bar, "clock", "bar.trajectory", () => void saveAs(app, "trajectory"))}
     <hr>${item(bar, "share", "bar.copyEmbed", () => void copySnippet(app, "embed"))}
     ${item(bar, "share", "bar.copyMarkdown", () => void copySnippet(app, "markdown"))}
     ${item(bar, "share", "bar.copyTest", () => void copySnippet(app, "test"))}
-    ${item(bar, "share", "bar.task", () => void app.fetchPart(async () => (await import("./task")).openTaskDialog(app, bar)))}
+    ${item(
+      bar,
+      "share",
+      "bar.task",
+      () => void app.fetchPart(async () => (await import("./task")).openTaskDialog(app, bar)),
+    )}
     <hr>${command(bar, "papers")}
     ${item(bar, "undo", "bar.reset", () => app.reset())}`;
 }
@@ -89,7 +123,10 @@ export function more(bar: Bar): TemplateResult {
     ${folded ? html`${planners(bar)}<hr>${layers(bar)}<hr>` : nothing}
     ${exports(bar)}<hr>
     <button class="item" @click=${bar.nextTheme}>${icon("theme")}${bar.themeName()}</button>
-    <button class="item" @click=${bar.nextLang}>${icon("language")}${translate(app.store.state.lang, "bar.language")}</button>
+    <button class="item" @click=${bar.nextLang}>${icon("language")}${translate(
+      app.store.state.lang,
+      "bar.language",
+    )}</button>
     ${command(bar, "keys")}`;
 }
 
@@ -103,10 +140,12 @@ function command(bar: Bar, id: CommandId): TemplateResult | typeof nothing {
     { state } = app.store,
     row = commands[id];
   if (!row) return nothing;
-  return html`<button class="item" ?disabled=${!isEnabled(state, row)} aria-keyshortcuts=${ariaKeys(row)} @click=${() => {
-    bar.menus.close();
-    row.run(app);
-  }}>${row.icon ? icon(row.icon) : nothing}${translate(state.lang, row.title)}<span class="keys" aria-hidden="true">${shownChord(nth(row.keys, 0))}</span></button>`;
+  return html`<button class="item" ?disabled=${!isEnabled(state, row)} aria-keyshortcuts=${ariaKeys(row)}
+    @click=${() => {
+      bar.menus.close();
+      row.run(app);
+    }}>${row.icon ? icon(row.icon) : nothing}${translate(state.lang, row.title)}<span class="keys"
+    aria-hidden="true">${shownChord(nth(row.keys, 0))}</span></button>`;
 }
 
 function item(bar: Bar, name: IconName, key: MessageKey, run: () => void, disabled = false): TemplateResult {

@@ -148,7 +148,9 @@ export class Toolbar extends AppElement {
   }
 
   protected override render(): unknown {
-    return html`<div class="bar" role="toolbar" aria-label=${this.t("bar.label")}>${this.rail ? html`${this.moreMenu("")}${this.tools()}` : this.compact ? this.small() : this.full()}</div>`;
+    return html`<div class="bar" role="toolbar" aria-label=${this.t("bar.label")}>${
+      this.rail ? html`${this.moreMenu("")}${this.tools()}` : this.compact ? this.small() : this.full()
+    }</div>`;
   }
 
   private full(): TemplateResult {
@@ -160,21 +162,30 @@ export class Toolbar extends AppElement {
       <span class="rule"></span>
       ${this.plannersMenu()}
       ${this.layersMenu()}
-      <div class="segmented modes" role="group" aria-label=${this.t("bar.mode")}>${MODES.map((mode) => this.mode(mode))}</div>
+      <div class="segmented modes" role="group" aria-label=${this.t("bar.mode")}>${MODES.map((mode) =>
+        this.mode(mode),
+      )}</div>
       ${this.button("check", this.t("bar.checkBays"), this.checkBays, "bays")}
       <span class="end"><slot></slot>
         <span class="anchor collapse-1">
-          <button class="button menu" popovertarget="exports" aria-expanded=${this.menus.open === "exports"} aria-label=${this.t("bar.export")} @click=${(e: On<HTMLElement>) => this.toggle("exports", e)}>
+          <button class="button menu" popovertarget="exports" aria-expanded=${this.menus.open === "exports"}
+            aria-label=${this.t("bar.export")} @click=${(e: On<HTMLElement>) => this.toggle("exports", e)}>
             ${icon("export")}<span class="label">${this.t("bar.export")}</span>${icon("down", 14)}</button>
           ${this.menus.open === "exports" ? this.menu("exports", "right") : nothing}
         </span>
         ${this.button("theme", this.themeName(), this.nextTheme, "collapse-1")}
-        <button class="button lang collapse-1" aria-label=${this.t("bar.language")} title=${this.t("bar.language")} @click=${this.nextLang}>
+        <button class="button lang collapse-1" aria-label=${this.t("bar.language")} title=${this.t("bar.language")}
+          @click=${this.nextLang}>
           <span>${this.state.lang === "zh" ? html`<b>中</b> / EN` : html`中 / <b>EN</b>`}</span></button>
         ${this.command("keys", "collapse-1")}
-        <button class="icon inspect" aria-expanded=${this.inspecting} aria-label=${this.t("bar.inspector")} title=${this.t("bar.inspector")} @click=${() => this.app.ask("inspect")}>${icon("sliders")}</button>
+        <button class="icon inspect" aria-expanded=${this.inspecting} aria-label=${this.t("bar.inspector")}
+          title=${this.t("bar.inspector")} @click=${() => this.app.ask("inspect")}>${icon("sliders")}</button>
         ${this.moreMenu("collapsed-1")}
-        <button class="button solid" @click=${this.share}>${icon(this.shared ? "check" : "share")}<span class="label">${this.t(this.shared ? "bar.shared" : "bar.share")}</span><span class="sr">${this.t("bar.share")}</span></button>
+        <button class="button solid" @click=${this.share}>${icon(
+          this.shared ? "check" : "share",
+        )}<span class="label">${this.t(
+          this.shared ? "bar.shared" : "bar.share",
+        )}</span><span class="sr">${this.t("bar.share")}</span></button>
       </span>`;
   }
 
@@ -184,7 +195,8 @@ export class Toolbar extends AppElement {
 
   private scenePicker(): TemplateResult {
     const title = sceneTitle(this.app.preset, this.app.catalog?.scenarios ?? [], this.state);
-    return html`<button class="button outline scene" aria-label="${this.t("bar.scene")}: ${title || this.t("bar.own")}" ?disabled=${!this.ready} @click=${() => this.app.ask("presets")}>
+    return html`<button class="button outline scene" aria-label="${this.t("bar.scene")}: ${title || this.t("bar.own")}"
+      ?disabled=${!this.ready} @click=${() => this.app.ask("presets")}>
       <span>${title || this.t("bar.own")}</span>${icon("down", 14)}</button>`;
   }
 
@@ -196,22 +208,28 @@ export class Toolbar extends AppElement {
   private command(id: CommandId, kind = ""): TemplateResult | typeof nothing {
     const command = commands[id];
     if (!command) return nothing;
-    return html`<button class="icon ${kind}" ?disabled=${!isEnabled(this.state, command)} aria-label=${this.t(command.title)} aria-keyshortcuts=${ariaKeys(command)} title=${tooltip(this.state.lang, command)}
+    return html`<button class="icon ${kind}" ?disabled=${!isEnabled(this.state, command)}
+      aria-label=${this.t(command.title)} aria-keyshortcuts=${ariaKeys(command)}
+      title=${tooltip(this.state.lang, command)}
       @click=${() => command.run(this.app)}>${icon(command.icon!)}</button>`;
   }
 
   private tools(): TemplateResult {
-    return html`<div class="tools" role="group" aria-label=${this.t("tools.label")}>${Object.entries(TOOLS).map(([id, tool]) => this.tool(id, tool))}</div>`;
+    return html`<div class="tools" role="group" aria-label=${this.t("tools.label")}>${Object.entries(TOOLS).map(
+      ([id, tool]) => this.tool(id, tool),
+    )}</div>`;
   }
 
   private tool(id: string, tool: Command): TemplateResult {
-    return html`<button class="tool" data-tool=${id} aria-pressed=${this.state.tool === id} aria-label=${this.t(tool.title)} aria-keyshortcuts=${ariaKeys(tool)} title=${tooltip(this.state.lang, tool)}
+    return html`<button class="tool" data-tool=${id} aria-pressed=${this.state.tool === id}
+      aria-label=${this.t(tool.title)} aria-keyshortcuts=${ariaKeys(tool)} title=${tooltip(this.state.lang, tool)}
       @click=${() => tool.run(this.app)}>${icon(tool.icon!, 18)}<kbd aria-hidden="true">${tool.keys[0]}</kbd></button>`;
   }
 
   private mode(mode: (typeof MODES)[number]): TemplateResult {
     const name = this.t(`mode.${mode.id}`);
-    return html`<button aria-pressed=${this.state.mode === mode.id} aria-label=${name} title="${name} · ${keysOf("nextLayout")}"
+    return html`<button aria-pressed=${this.state.mode === mode.id} aria-label=${name}
+      title="${name} · ${keysOf("nextLayout")}"
       @click=${() => this.app.store.set({ mode: mode.id, camera: null })}>${icon(mode.icon)}</button>`;
   }
 
@@ -221,21 +239,26 @@ export class Toolbar extends AppElement {
       this.toggle("planners", event);
     };
     return html`<span class="anchor collapse-2">
-      <button class="button menu" popovertarget="planners" aria-expanded=${this.menus.open === "planners"} aria-label=${this.t("bar.planners")} title=${this.t("bar.planners")} ?disabled=${!this.ready} @click=${open}>
+      <button class="button menu" popovertarget="planners" aria-expanded=${this.menus.open === "planners"}
+        aria-label=${this.t("bar.planners")} title=${this.t("bar.planners")} ?disabled=${!this.ready} @click=${open}>
         ${icon("planners")}<span class="label">${this.t("bar.planners")}</span>${icon("down", 14)}</button>
       ${this.menus.open === "planners" ? this.menu("planners", "planners") : nothing}</span>`;
   }
 
   private layersMenu(): TemplateResult {
     return html`<span class="anchor collapse-2">
-      <button class="button menu" popovertarget="layers" aria-expanded=${this.menus.open === "layers"} aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · ${keysOf("previousLayers", "nextLayers")}" @click=${(e: On<HTMLElement>) => this.toggle("layers", e)}>
+      <button class="button menu" popovertarget="layers" aria-expanded=${this.menus.open === "layers"}
+        aria-label=${this.t("bar.layers")} title="${this.t("bar.layers")} · ${keysOf("previousLayers", "nextLayers")}"
+        @click=${(e: On<HTMLElement>) => this.toggle("layers", e)}>
         ${icon("layers")}<span class="label">${this.t("bar.layers")}</span>${icon("down", 14)}</button>
       ${this.menus.open === "layers" ? this.menu("layers", "") : nothing}</span>`;
   }
 
   private moreMenu(name: string): TemplateResult {
     return html`<span class="anchor ${name}">
-      <button class="icon" popovertarget="more" aria-expanded=${this.menus.open === "more"} aria-label=${this.t("bar.more")} title=${this.t("bar.more")} @click=${(e: On<HTMLElement>) => this.toggle("more", e)}>${icon("more")}</button>
+      <button class="icon" popovertarget="more" aria-expanded=${this.menus.open === "more"}
+        aria-label=${this.t("bar.more")} title=${this.t("bar.more")}
+        @click=${(e: On<HTMLElement>) => this.toggle("more", e)}>${icon("more")}</button>
       ${this.menus.open === "more" ? this.menu("more", this.rail ? "beside" : "right") : nothing}</span>`;
   }
 

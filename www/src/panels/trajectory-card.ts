@@ -49,7 +49,12 @@ export class TrajectoryCard extends AppElement {
     if (this.hidden) return nothing;
     const can = canSmooth(this.state),
       smoothed = result!.smoothed?.of === result!.plan ? result!.smoothed : null;
-    return html`<div class="head"><h2>${say(lang, "title")}</h2>${can ? html`<label>${say(lang, "smooth")}<input type="checkbox" role="switch" .checked=${smooth === true} @change=${() => chooseSmooth(this.app.store, !smooth)}></label>` : html`<span>${plannerName(lang, focus)}</span>`}</div>
+    return html`<div class="head"><h2>${say(lang, "title")}</h2>${
+      can
+        ? html`<label>${say(lang, "smooth")}<input type="checkbox" role="switch" .checked=${smooth === true}
+          @change=${() => chooseSmooth(this.app.store, !smooth)}></label>`
+        : html`<span>${plannerName(lang, focus)}</span>`
+    }</div>
       ${can ? (smooth ? this.answer(smoothed) : html`<p>${say(lang, "off")}</p>`) : html`<p>${say(lang, "road")}</p>`}`;
   }
 
@@ -57,9 +62,14 @@ export class TrajectoryCard extends AppElement {
     const { lang, results, focus } = this.state,
       plan = results[focus]!.plan!;
     if (smoothed?.failure)
-      return html`<p class="warn">${say(lang, "failed", { reason: { ...smoothed.failure, message: sentence(smoothed.failure.message) } })}</p>`;
+      return html`<p class="warn">${say(lang, "failed", {
+        reason: { ...smoothed.failure, message: sentence(smoothed.failure.message) },
+      })}</p>`;
     if (!smoothed?.trajectory) return html`<p>${say(lang, isTooLong(plan) ? "long" : "pending")}</p>`;
-    return html`<p class="stage">${say(lang, STAGES[smoothed.trajectory.stage])}</p>${this.figures(smoothed, results[focus]!.drive?.t.at(-1))}`;
+    return html`<p class="stage">${say(lang, STAGES[smoothed.trajectory.stage])}</p>${this.figures(
+      smoothed,
+      results[focus]!.drive?.t.at(-1),
+    )}`;
   }
 
   private figures({ trajectory, drive }: Smoothed, planned: number | undefined): TemplateResult {

@@ -46,9 +46,14 @@ export class VehicleCard extends AppElement {
     return html`
       <div class="head"><h2>${this.t("inspect.vehicle")}</h2>
         <select aria-label=${this.t("inspect.vehicle")} @change=${this.choose}>
-          ${names.map((name) => html`<option value=${name} ?selected=${name === now}>${this.t(`vehicle.${name}`)}</option>`)}</select></div>
+          ${names.map(
+            (name) => html`<option value=${name} ?selected=${name === now}>${this.t(`vehicle.${name}`)}</option>`,
+          )}</select></div>
       <div class="card">${drawing(car.rearToBack, car.rearToFront, car.width, car.wheelbase)}
-        <div class="facts"><span>${this.t("inspect.size", { length: this.num(length, 2), width: this.num(car.width, 2) })}</span>
+        <div class="facts"><span>${this.t("inspect.size", {
+          length: this.num(length, 2),
+          width: this.num(car.width, 2),
+        })}</span>
           <span>${this.t("inspect.wheelbase", { value: this.num(car.wheelbase, 2) })}</span>
           <span>${this.t("inspect.turns", { value: this.num(car.minTurningRadius, 2) })}</span>
           <button class="button edit" @click=${this.edit}>${this.t("inspect.editVehicle")}</button></div></div>`;
@@ -70,11 +75,17 @@ function drawing(back: number, front: number, width: number, wheelbase: number):
     rear = back * k,
     axle = rear + wheelbase * k;
   const wheel = (x: number, y: number, turn: number): unknown =>
-    svg`<rect x=${x - 5.5} y=${y - 2} width="11" height="4" rx="1" transform="rotate(${turn} ${x} ${y})" fill="currentColor"/>`;
-  return html`<svg width="92" height=${w + 6} viewBox="0 -3 92 ${w + 6}" fill="none" stroke="currentColor" stroke-width="1.25" aria-hidden="true">
-    <g stroke="none" opacity=".85">${wheel(rear, 4, 0)}${wheel(rear, w - 4, 0)}${wheel(axle, 4, -16)}${wheel(axle, w - 4, -16)}</g>
+    svg`<rect x=${x - 5.5} y=${y - 2} width="11" height="4" rx="1" transform="rotate(${turn} ${x} ${y})"
+      fill="currentColor"/>`;
+  return html`<svg width="92" height=${w + 6} viewBox="0 -3 92 ${w + 6}" fill="none" stroke="currentColor"
+    stroke-width="1.25" aria-hidden="true">
+    <g stroke="none"
+      opacity=".85">${wheel(rear, 4, 0)}${wheel(rear, w - 4, 0)}${wheel(axle, 4, -16)}${wheel(axle, w - 4, -16)}</g>
     <rect x="0.6" y="0.6" width="90.8" height=${w - 1.2} rx="9" fill="var(--parkade-panel)"/>
-    <path d="M62 ${w * 0.16}q7 ${w * 0.34} 0 ${w * 0.68}l-10 ${-w * 0.08}q4 ${-w * 0.26} 0 ${-w * 0.52}zM24 ${w * 0.2}q-5 ${w * 0.3} 0 ${w * 0.6}l6 ${-w * 0.06}q-3 ${-w * 0.24} 0 ${-w * 0.48}z" stroke-linejoin="round"/>
+    <path
+      d="M62 ${w * 0.16}q7 ${w * 0.34} 0 ${w * 0.68}l-10 ${-w * 0.08}q4 ${-w * 0.26}
+        0 ${-w * 0.52}zM24 ${w * 0.2}q-5 ${w * 0.3} 0 ${w * 0.6}l6 ${-w * 0.06}q-3 ${-w * 0.24} 0 ${-w * 0.48}z"
+      stroke-linejoin="round"/>
     <path d="M${rear} 6V${w - 6}"/><circle cx=${rear} cy=${w / 2} r="3" fill="var(--parkade-panel)"/></svg>`;
 }
 

@@ -79,10 +79,25 @@ export class VehicleEditor extends DialogElement {
       source = this.library.find(({ id }) => id === this.known)?.source;
     return html`${this.top(say(lang, "title"))}
       <div class="scroll"><form novalidate @submit=${(event: Event) => this.accept(event, vehicle, fault)}>
-        ${fault ? html`<svg role="img" aria-label=${say(lang, "picture")}></svg>` : picture(vehicle, say(lang, "picture"))}
+        ${
+          fault
+            ? html`<svg role="img" aria-label=${say(lang, "picture")}></svg>`
+            : picture(vehicle, say(lang, "picture"))
+        }
         <div class="side">
-          <label>${say(lang, "library")}<select @change=${this.choose}><option value="" ?selected=${this.known === ""}>${say(lang, "own")}</option>${this.library.map(({ id, title }) => html`<option value=${id} ?selected=${id === this.known} .selected=${id === this.known}>${title[lang]}</option>`)}</select></label>
-          ${FIELDS.map((field) => html`<label>${say(lang, field)}<span class="field"><input type="number" step="any" name=${field} .value=${String(form[field])} aria-invalid=${fault !== null} @input=${(event: Event) => this.set(field, numberOf(event))}><span>${field === "lock" ? "°" : "m"}</span></span></label>`)}
+          <label>${say(lang, "library")}<select @change=${this.choose}><option value=""
+            ?selected=${this.known === ""}>${say(lang, "own")}</option>${this.library.map(
+              ({ id, title }) =>
+                html`<option value=${id} ?selected=${id === this.known}
+                  .selected=${id === this.known}>${title[lang]}</option>`,
+            )}</select></label>
+          ${FIELDS.map(
+            (field) =>
+              html`<label>${say(lang, field)}<span class="field"><input type="number" step="any" name=${field}
+                .value=${String(form[field])} aria-invalid=${fault !== null}
+                @input=${(event: Event) =>
+                  this.set(field, numberOf(event))}><span>${field === "lock" ? "°" : "m"}</span></span></label>`,
+          )}
           ${fault ? html`<p class="fault" role="alert">${fault}</p>` : this.circles(vehicle)}
           ${source ? html`<p>${say(lang, "source", { source })}</p>` : nothing}
           <button class="button solid" ?disabled=${fault !== null}>${say(lang, "use")}</button></div></form></div>`;
@@ -91,7 +106,9 @@ export class VehicleEditor extends DialogElement {
   private circles(vehicle: Vehicle): TemplateResult {
     const { lang } = this.state,
       { kerb, wall } = turningCircles(vehicle);
-    return html`<p aria-live="polite">${say(lang, "kerb", { metres: this.num(2 * kerb, 2) })}<br>${say(lang, "wall", { metres: this.num(2 * wall, 2) })}</p>`;
+    return html`<p aria-live="polite">${say(lang, "kerb", {
+      metres: this.num(2 * kerb, 2),
+    })}<br>${say(lang, "wall", { metres: this.num(2 * wall, 2) })}</p>`;
   }
 
   private set(field: keyof Form, value: number): void {
@@ -151,11 +168,18 @@ function picture(vehicle: Vehicle, label: string): TemplateResult {
     { width, rearToFront, rearToBack, wheelbase } = vehicle,
     side = wall * 1.06;
   const arc = (radius: number, dash: string, stroke: string): unknown =>
-    svg`<circle cx="0" cy="0" r=${radius} fill="none" stroke=${stroke} stroke-width=${side / 160} stroke-dasharray=${dash}/>`;
+    svg`<circle cx="0" cy="0" r=${radius} fill="none" stroke=${stroke} stroke-width=${side / 160}
+      stroke-dasharray=${dash}/>`;
   return html`<svg role="img" aria-label=${label} viewBox="${-side} ${-side} ${2 * side} ${2 * side}">
-    ${arc(wall, "", "var(--parkade-t1)")}${arc(kerb, `${side / 30} ${side / 50}`, "var(--parkade-accent)")}${arc(inner, "", "var(--parkade-t3)")}
-    <rect x=${axle - width / 2} y=${-rearToFront} width=${width} height=${rearToFront + rearToBack} rx=${width / 6} fill="var(--parkade-panel)" stroke="currentColor" stroke-width=${side / 110}/>
-    <path d="M${axle - width / 2} 0h${width}M${axle - width / 2} ${-wheelbase}h${width}M0 0H${axle}" fill="none" stroke="currentColor" stroke-width=${side / 220}/>
+    ${arc(wall, "", "var(--parkade-t1)")}${arc(
+      kerb,
+      `${side / 30} ${side / 50}`,
+      "var(--parkade-accent)",
+    )}${arc(inner, "", "var(--parkade-t3)")}
+    <rect x=${axle - width / 2} y=${-rearToFront} width=${width} height=${rearToFront + rearToBack} rx=${width / 6}
+      fill="var(--parkade-panel)" stroke="currentColor" stroke-width=${side / 110}/>
+    <path d="M${axle - width / 2} 0h${width}M${axle - width / 2} ${-wheelbase}h${width}M0 0H${axle}" fill="none"
+      stroke="currentColor" stroke-width=${side / 220}/>
     <circle cx="0" cy="0" r=${side / 70} fill="currentColor"/></svg>`;
 }
 

@@ -63,10 +63,17 @@ export class ViewControls extends AppElement {
       leaves = !this.state.follow && pathLeaves(this.state, controller.view());
     const button = (name: "out" | "fit" | "in", id: CommandId, face: unknown): TemplateResult => {
       const command = commands[id]!;
-      return html`<button class=${name} aria-label=${this.t(command.title)} aria-keyshortcuts=${ariaKeys(command)} title=${tooltip(this.state.lang, command)} @click=${() => command.run(this.app)}>${face}</button>`;
+      return html`<button class=${name} aria-label=${this.t(command.title)} aria-keyshortcuts=${ariaKeys(command)}
+        title=${tooltip(this.state.lang, command)} @click=${() => command.run(this.app)}>${face}</button>`;
     };
-    return html`${leaves ? html`<button class="pill" @click=${() => controller.fit()}>${this.t("view.leaves")}</button>` : nothing}
-      <div role="group" aria-label=${this.t("view.group")}>${button("out", "zoomOut", "−")}${button("fit", "fit", icon("fit"))}${button("in", "zoomIn", "+")}</div>`;
+    return html`${
+      leaves ? html`<button class="pill" @click=${() => controller.fit()}>${this.t("view.leaves")}</button>` : nothing
+    }
+      <div role="group" aria-label=${this.t("view.group")}>${button("out", "zoomOut", "−")}${button(
+        "fit",
+        "fit",
+        icon("fit"),
+      )}${button("in", "zoomIn", "+")}</div>`;
   }
 }
 

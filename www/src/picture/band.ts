@@ -45,10 +45,17 @@ export function bandPicture(scene: Scenario, band: Float64Array, title: string, 
   const metres = Array.from({ length: Math.floor(count / 100) + 1 }, (_, i) => 100 * i)
     .map(
       (at) =>
-        `<text x="${x(at)}" y="${(height - 8).toFixed(1)}"${count - at < 40 ? ' text-anchor="end"' : ""}>${at} m</text>`,
+        `<text x="${x(at)}" y="${(height - 8).toFixed(1)}"${
+          count - at < 40 ? ' text-anchor="end"' : ""
+        }>${at} m</text>`,
     )
     .join("");
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDTH} ${height.toFixed(0)}" width="${WIDTH}" height="${height.toFixed(0)}" role="img" aria-label="${title}" font-family="system-ui, sans-serif" font-size="11" fill="currentColor"><text x="${LEFT}" y="14" font-weight="600">${title}</text>${shapes}${ticks}${metres}</svg>`;
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 ` +
+    `0 ${WIDTH} ${height.toFixed(0)}" width="${WIDTH}" height="${height.toFixed(0)}" role="img" ` +
+    `aria-label="${title}" font-family="system-ui, sans-serif" font-size="11" fill="currentColor"><text ` +
+    `x="${LEFT}" y="14" font-weight="600">${title}</text>${shapes}${ticks}${metres}</svg>`
+  );
 }
 
 /** Metres: half the width of the band of middles, and what is free to both sides of its middle. */

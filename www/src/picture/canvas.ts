@@ -139,7 +139,9 @@ class Pen {
   }
 
   clip(path: Path2D, rule = "nonzero"): void {
-    const text = `${this.clipping()}><path d="${this.data(path)}"${rule === "evenodd" ? ' clip-rule="evenodd"' : ""}/></clipPath>`;
+    const text = `${this.clipping()}><path d="${this.data(path)}"${
+      rule === "evenodd" ? ' clip-rule="evenodd"' : ""
+    }/></clipPath>`;
     this.clipped = nameOf(text);
     this.clips.set(this.clipped, `<clipPath id="${this.clipped}"${text}`);
   }
@@ -180,7 +182,10 @@ class Pen {
     }
     const [left, top] = apply(this.matrix, x, y),
       size = scaleOf(this.matrix);
-    const fit = `matrix(${n((width * size) / wide, 6)} 0 0 ${n((height * size) / image.height, 6)} ${n(left)} ${n(top)})`;
+    const fit = `matrix(${n((width * size) / wide, 6)} 0 0 ${n(
+      (height * size) / image.height,
+      6,
+    )} ${n(left)} ${n(top)})`;
     const lines = [...rows].map(
       ([word, d]) => `<path stroke="${hexOf([word & 255, (word >>> 8) & 255, (word >>> 16) & 255])}" d="${d}"/>`,
     );

@@ -64,7 +64,8 @@ function drawn(sheet: Sheet): string {
   const map = svgOf(sides.map(({ canvas }) => canvas)),
     around = svgOf(sides.map(({ bars }) => bars));
   return (
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img">` +
+    `<svg xmlns="http://www.w3.org/2000/svg" ` +
+    `width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" role="img">` +
     `<title>${escaped(title)}</title><metadata>${escaped(data)}</metadata>` +
     (room.above + room.below > 0
       ? `${around}<svg y="${room.above}" width="${width}" height="${size.height}">${map}</svg></svg>\n`

@@ -89,8 +89,11 @@ export function sheetSvg(sheet: Sheet): { svg: string; paper: Paper } {
     titleBlock(sheet, width, height),
   ];
   const svg =
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${width}mm" height="${height}mm" viewBox="0 0 ${width} ${height}" font-family="sans-serif" font-size="3">` +
-    `<title>${escaped(sheet.title)}</title><defs><pattern id="hatch" width="2" height="2" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 0V2" stroke="#B3261E" stroke-width="0.7"/></pattern></defs>` +
+    `<svg xmlns="http://www.w3.org/2000/svg" ` +
+    `width="${width}mm" height="${height}mm" viewBox="0 0 ${width} ${height}" font-family="sans-serif" font-size="3">` +
+    `<title>${escaped(sheet.title)}</title><defs><pattern id="hatch" width="2" height="2" ` +
+    `patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><path d="M0 0V2" stroke="#B3261E" ` +
+    `stroke-width="0.7"/></pattern></defs>` +
     `<rect width="${width}" height="${height}" fill="#FFFFFF"/>${body.join("")}</svg>\n`;
   return { svg, paper };
 }
@@ -114,7 +117,10 @@ function layerOf({ lines, texts }: SiteDrawing, layer: DrawingLayer, place: (poi
     .filter((text) => text.layer === layer)
     .map(({ at, text }) => {
       const [x, y] = place(at);
-      return `<text x="${number(x)}" y="${number(y - 0.6)}" text-anchor="middle" font-size="2.2" fill="${colour}" stroke="#FFFFFF" stroke-width="0.5" paint-order="stroke">${escaped(text)}</text>`;
+      return (
+        `<text x="${number(x)}" y="${number(y - 0.6)}" text-anchor="middle" font-size="2.2" ` +
+        `fill="${colour}" stroke="#FFFFFF" stroke-width="0.5" paint-order="stroke">${escaped(text)}</text>`
+      );
     });
   const filled = fill && d(true) ? `<path d="${d(true)}" fill="${fill}" ${stroke}/>` : "",
     drawn = d(false) ? `<path d="${d(false)}" fill="none" ${stroke}/>` : "";
@@ -131,7 +137,10 @@ function wordOf({ points, ink, text, isHatched }: SheetArea, place: (point: Poin
     x = placed.reduce((sum, [px]) => sum + px, 0) / placed.length,
     y = placed.reduce((sum, [, py]) => sum + py, 0) / placed.length;
   const back = isHatched ? `<circle cx="${number(x)}" cy="${number(y)}" r="2.2" fill="#FFFFFF"/>` : "";
-  return `${back}<text x="${number(x)}" y="${number(y + 1.1)}" text-anchor="middle" font-weight="600" fill="${ink}">${escaped(text)}</text>`;
+  return (
+    `${back}<text x="${number(x)}" y="${number(y + 1.1)}" text-anchor="middle" font-weight="600" ` +
+    `fill="${ink}">${escaped(text)}</text>`
+  );
 }
 
 /** Five parts of a round length, about 50 mm in all. */
@@ -142,10 +151,15 @@ function scaleBar(scale: number, height: number): string {
   const parts = Array.from(
     { length: 5 },
     (_, i) =>
-      `<rect x="${number(EDGE + i * step)}" y="${number(y)}" width="${number(step)}" height="2" fill="${i % 2 === 0 ? "#1B1D20" : "#FFFFFF"}" stroke="#1B1D20" stroke-width="0.2"/>` +
+      `<rect x="${number(EDGE + i * step)}" y="${number(y)}" width="${number(step)}" height="2" fill="${
+        i % 2 === 0 ? "#1B1D20" : "#FFFFFF"
+      }" stroke="#1B1D20" stroke-width="0.2"/>` +
       `<text x="${number(EDGE + i * step)}" y="${number(y + 5.5)}" text-anchor="middle">${number(i * part)}</text>`,
   );
-  return `<g id="scale-bar">${parts.join("")}<text x="${number(EDGE + 5 * step)}" y="${number(y + 5.5)}" text-anchor="middle">${number(5 * part)} m</text></g>`;
+  parts.push(
+    `<text x="${number(EDGE + 5 * step)}" y="${number(y + 5.5)}" text-anchor="middle">${number(5 * part)} m</text>`,
+  );
+  return `<g id="scale-bar">${parts.join("")}</g>`;
 }
 
 function legendOf({ legend }: Sheet, width: number, height: number): string {
@@ -154,7 +168,12 @@ function legendOf({ legend }: Sheet, width: number, height: number): string {
     .map(({ fill, text, isHatched }, i) => {
       const y = height - EDGE - BLOCK.height + i * ROW,
         box = `x="${right - 34}" y="${number(y)}" width="7" height="4"`;
-      return `<rect ${box} fill="${fill}" stroke="#5F666F" stroke-width="0.15"/>${isHatched ? `<rect ${box} fill="url(#hatch)"/>` : ""}<text x="${right - 25}" y="${number(y + 3.2)}">${escaped(text)}</text>`;
+      return (
+        `<rect ${box} fill="${fill}" stroke="#5F666F" ` +
+        `stroke-width="0.15"/>${
+          isHatched ? `<rect ${box} fill="url(#hatch)"/>` : ""
+        }<text x="${right - 25}" y="${number(y + 3.2)}">${escaped(text)}</text>`
+      );
     })
     .join("");
 }
@@ -174,20 +193,32 @@ function titleBlock({ title, rows }: Sheet, width: number, height: number): stri
     top = height - EDGE - BLOCK.height;
   const cells = rows.map(
     ([name, value], i) =>
-      `<text x="${left + 2}" y="${number(top + 12 + i * 4.4)}" font-size="2.4" fill="#64696F">${escaped(name)}</text><text x="${left + VALUES}" y="${number(top + 12 + i * 4.4)}" font-size="${fontSize(value, 2.8, BLOCK.width - VALUES - 2)}">${escaped(value)}</text>`,
+      `<text x="${left + 2}" y="${number(top + 12 + i * 4.4)}" font-size="2.4" ` +
+      `fill="#64696F">${escaped(name)}</text>` +
+      `<text x="${left + VALUES}" y="${number(top + 12 + i * 4.4)}" ` +
+      `font-size="${fontSize(value, 2.8, BLOCK.width - VALUES - 2)}">${escaped(value)}</text>`,
   );
   return (
-    `<g id="title-block"><rect x="${left}" y="${top}" width="${BLOCK.width}" height="${BLOCK.height}" fill="#FFFFFF" stroke="#1B1D20" stroke-width="0.35"/>` +
-    `<path d="M${left} ${top + 8}h${BLOCK.width}" stroke="#1B1D20" stroke-width="0.2"/><text x="${left + 2}" y="${top + 5.6}" font-size="${fontSize(title, 4.2, BLOCK.width - 4)}" font-weight="600">${escaped(title)}</text>${cells.join("")}</g>`
+    `<g id="title-block"><rect x="${left}" y="${top}" width="${BLOCK.width}" height="${BLOCK.height}" ` +
+    `fill="#FFFFFF" stroke="#1B1D20" stroke-width="0.35"/>` +
+    `<path d="M${left} ${top + 8}h${BLOCK.width}" stroke="#1B1D20" stroke-width="0.2"/>` +
+    `<text x="${left + 2}" y="${top + 5.6}" font-size="${fontSize(title, 4.2, BLOCK.width - 4)}" ` +
+    `font-weight="600">${escaped(title)}</text>${cells.join("")}</g>`
   );
 }
 
 /** Pages for printing: sheets, and tables on pages of their own; the paper is the sheet's, margins are in the sheet. */
 export function printPage(title: string, lang: string, sheet: { svg: string; paper: Paper }, table: string): string {
   const [width, height] = PAPERS[sheet.paper];
-  return `<!doctype html><html lang="${lang}"><meta charset="utf-8"><title>${escaped(title)}</title><style>
-@page { size: ${width}mm ${height}mm; margin: 0; } body { margin: 0; font: 9pt/1.35 sans-serif; color: #1B1D20; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
-svg { display: block; } .table { break-before: page; padding: 12mm; } table { border-collapse: collapse; width: 100%; } th, td { padding: 1mm 2mm; border-bottom: .2mm solid #CFCFCA; text-align: right; } :is(th, td):first-child { text-align: left; } td.text { text-align: left; } thead { display: table-header-group; } tr { break-inside: avoid; } h1 { font-size: 13pt; margin: 0 0 3mm; }
+  return (
+    `<!doctype html><html lang="${lang}"><meta charset="utf-8"><title>${escaped(title)}</title><style>
+@page { size: ${width}mm ${height}mm; margin: 0; } body { margin: 0; font: 9pt/1.35 sans-serif; color: #1B1D20; ` +
+    `-webkit-print-color-adjust: exact; print-color-adjust: exact; }
+svg { display: block; } .table { break-before: page; padding: 12mm; } table { border-collapse: collapse; width: ` +
+    `100%; } th, td { padding: 1mm 2mm; border-bottom: .2mm solid #CFCFCA; text-align: right; } :is(th, ` +
+    `td):first-child { text-align: left; } td.text { text-align: left; } thead { display: table-header-group; } tr ` +
+    `{ break-inside: avoid; } h1 { font-size: 13pt; margin: 0 0 3mm; }
 </style>${sheet.svg}${table ? `<div class="table">${table}</div>` : ""}</html>
-`;
+`
+  );
 }

@@ -41,7 +41,10 @@ export function smallMultiples(charts: readonly Chart[], title: string): string 
   const key = names
     .map((name, i) => {
       const x = LABEL + i * 170;
-      return `<line x1="${x}" x2="${x + 24}" y1="10" y2="10" ${stroke(names, name)}/><text x="${x + 30}" y="14">${escaped(name)}</text>`;
+      return (
+        `<line x1="${x}" x2="${x + 24}" y1="10" y2="10" ${stroke(names, name)}/>` +
+        `<text x="${x + 30}" y="14">${escaped(name)}</text>`
+      );
     })
     .join("");
   const heads = columns
@@ -57,7 +60,12 @@ export function smallMultiples(charts: readonly Chart[], title: string): string 
       return `<g transform="translate(${x} ${y})">${body(chart, names)}</g>`;
     })
     .join("");
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" width="${width}" height="${height}" role="img" aria-label="${escaped(title).replaceAll('"', "")}" font-family="system-ui, sans-serif" font-size="11" fill="currentColor">${key}${heads}${labels}${bodies}</svg>`;
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 ` +
+    `0 ${width} ${height}" width="${width}" height="${height}" role="img" ` +
+    `aria-label="${escaped(title).replaceAll('"', "")}" font-family="system-ui, sans-serif" font-size="11" ` +
+    `fill="currentColor">${key}${heads}${labels}${bodies}</svg>`
+  );
 }
 
 function stroke(names: readonly string[], name: string): string {
@@ -80,14 +88,25 @@ function body({ lines, mark }: Chart, names: readonly string[]): string {
   const drawn = lines
     .map(({ name, points }) => {
       const shown = points.filter(([, y]) => Number.isFinite(y)).map(at);
-      return `<polyline points="${shown.map((p) => p.map(px).join(",")).join(" ")}" ${stroke(names, name)}/>${shown.map(([x, y]) => `<circle cx="${px(x)}" cy="${px(y)}" r="2" fill="${nth(INKS, names.indexOf(name) % INKS.length)[0]}"/>`).join("")}`;
+      return `<polyline points="${shown.map((p) => p.map(px).join(",")).join(" ")}" ${stroke(names, name)}/>${shown
+        .map(
+          ([x, y]) =>
+            `<circle cx="${px(x)}" cy="${px(y)}" r="2" fill="${nth(INKS, names.indexOf(name) % INKS.length)[0]}"/>`,
+        )
+        .join("")}`;
     })
     .join("");
   const marked =
     mark === null
       ? ""
-      : `<line x1="${px(at([mark, low])[0])}" x2="${px(at([mark, low])[0])}" y1="0" y2="${tall}" stroke="currentColor" stroke-opacity="0.3" stroke-dasharray="2 2"/>`;
-  const scale = `<text x="-5" y="9" text-anchor="end">${short(high, high - low)}</text>${high > low ? `<text x="-5" y="${tall}" text-anchor="end">${short(low, high - low)}</text>` : ""}<text x="0" y="${tall + 13}">${left}</text><text x="${wide}" y="${tall + 13}" text-anchor="end">${right}</text>`;
+      : `<line x1="${px(at([mark, low])[0])}" x2="${px(at([mark, low])[0])}" y1="0" y2="${tall}" ` +
+        `stroke="currentColor" ` +
+        `stroke-opacity="0.3" stroke-dasharray="2 2"/>`;
+  const scale =
+    `<text x="-5" y="9" ` +
+    `text-anchor="end">${short(high, high - low)}</text>${
+      high > low ? `<text x="-5" y="${tall}" text-anchor="end">${short(low, high - low)}</text>` : ""
+    }<text x="0" y="${tall + 13}">${left}</text><text x="${wide}" y="${tall + 13}" text-anchor="end">${right}</text>`;
   return frame + marked + drawn + scale;
 }
 

@@ -27,7 +27,9 @@ function marksOf(drawn: readonly Canvas[], rules: Map<string, readonly string[]>
       const name = nameOf(texts.join("|"));
       if (texts[0]) rules.set(name, texts);
       const fill = mark.pattern ? ` fill="url(#${patternOf(both, rules, shared)})"` : "";
-      return `<${mark.tag}${texts[0] ? ` class="${name}"` : ""}${mark.markup}${fill}${mark.inside ? `>${mark.inside}</${mark.tag}>` : "/>"}`;
+      return `<${mark.tag}${texts[0] ? ` class="${name}"` : ""}${mark.markup}${fill}${
+        mark.inside ? `>${mark.inside}</${mark.tag}>` : "/>"
+      }`;
     })
     .join("");
 }
@@ -40,7 +42,8 @@ const cssOf = ({ style }: Mark): string =>
 function patternOf(marks: readonly Mark[], rules: Map<string, readonly string[]>, shared: Map<string, string>): string {
   const tiles = marks.map(({ pattern }) => pattern!.canvas),
     { width } = nth(tiles, 0);
-  const text = ` patternUnits="userSpaceOnUse" width="${width}" height="${width}">${marksOf(tiles, rules, shared)}</pattern>`;
+  const inside = marksOf(tiles, rules, shared),
+    text = ` patternUnits="userSpaceOnUse" width="${width}" height="${width}">${inside}</pattern>`;
   const id = nameOf(text);
   shared.set(id, `<pattern id="${id}"${text}`);
   return id;

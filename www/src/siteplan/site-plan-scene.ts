@@ -33,11 +33,16 @@ const AROUND = 25,
 const WIDEST = 1000,
   MOST_OBSTACLES = 1900;
 
+const anyOf = (...ways: RegExp[]): RegExp => new RegExp(ways.map((way) => way.source).join("|"), "i");
+
 /** Names of layers in the languages of plans that are often met. */
 const NAMES: [Role, RegExp][] = [
   [
     "bay",
-    /(?:\b|_)parking[-_ ](?!lot|area|bound|outline|sign|text)|\b(bay|stall|slot|space)s?\b|bays|stalls|stellpl|parkpl|parkst|\u8f66\u4f4d|\u505c\u8f66|\uc8fc\ucc28/i,
+    anyOf(
+      /(?:\b|_)parking[-_ ](?!lot|area|bound|outline|sign|text)|\b(bay|stall|slot|space)s?\b|bays|stalls/,
+      /stellpl|parkpl|parkst|\u8f66\u4f4d|\u505c\u8f66|\uc8fc\ucc28/,
+    ),
   ],
   ["kerb", /kerb|curb|bord|\u8def\u7f18|\u7f18\u77f3/i],
   ["column", /column|pillar|post\b|bollard|s[t\u00fc]+tze|st\u00fctze|(?<!s)tree|\u67f1/i],
@@ -133,7 +138,9 @@ function windowOf(of: ByRole, ground: readonly Point[] | null, bays: readonly Po
     by = ground ? EDGE : around;
   if (isTooWide(box))
     throw new SitePlanError(
-      rule`the plan must be at most ${WIDEST} m wide, and is ${Math.ceil(Math.max(box.maxX - box.minX, box.maxY - box.minY))} m; choose another unit or fewer layers`,
+      rule`the plan must be at most ${WIDEST} m wide, and is ${Math.ceil(
+        Math.max(box.maxX - box.minX, box.maxY - box.minY),
+      )} m; choose another unit or fewer layers`,
     );
   return { minX: box.minX - by, minY: box.minY - by, maxX: box.maxX + by, maxY: box.maxY + by };
 }
@@ -167,9 +174,10 @@ function solidsOf(of: ByRole, window: Box): Solids {
           put(solids, role, { type: "wall", points: piece.map(rounded), thickness: 0 });
       }
     }
-  if (solids.obstacles.length > MOST_OBSTACLES)
+  const { length } = solids.obstacles;
+  if (length > MOST_OBSTACLES)
     throw new SitePlanError(
-      rule`the chosen layers must have at most ${MOST_OBSTACLES} obstacles, and have ${solids.obstacles.length}; leave layers out`,
+      rule`the chosen layers must have at most ${MOST_OBSTACLES} obstacles, and have ${length}; leave layers out`,
     );
   return solids;
 }

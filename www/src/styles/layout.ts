@@ -5,7 +5,8 @@ export const layout = css`
   :host { display: block; position: relative; min-height: 320px; overflow: hidden; container-type: size; }
   .layout-wide, .layout-narrow { position: absolute; inset: 0; display: grid; }
   .layout-wide {
-    grid-template: "bar bar" 49px "options side" auto "stage side" minmax(0, 1fr) "time side" 44px "bottom bottom" var(--bottom, 202px) / minmax(0, 1fr) var(--pane-side, 280px);
+    grid-template: "bar bar" 49px "options side" auto "stage side" minmax(0, 1fr) "time side" 44px
+      "bottom bottom" var(--bottom, 202px) / minmax(0, 1fr) var(--pane-side, 280px);
     --bottom: var(--pane-bottom, 202px);
   }
   :host([folded]) .layout-wide { --bottom: 0px; }
@@ -45,10 +46,13 @@ export const layout = css`
   @container (min-width: 961px) { .layout-wide > parkade-options { display: none; } }
   @media (max-height: 640px) { .layout-wide { --bottom: 130px; } }
   .layout-narrow {
-    grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(57px, auto) "time" 48px "sheet" auto / minmax(0, 1fr);
+    grid-template: "bar" 45px "stage" minmax(0, 1fr) "chips" minmax(57px, auto) "time" 48px "sheet" auto /
+      minmax(0, 1fr);
   }
   .layout-narrow.rails {
-    grid-template: "bar stage drawer" 44px "bar stage chips" minmax(0, 1fr) "bar options chips" auto "bar time chips" 37px / 49px minmax(0, 1fr) 57px;
+    grid-template: "bar stage drawer" 44px "bar stage chips" minmax(0, 1fr) "bar options chips" auto
+      "bar time chips" 37px /
+      49px minmax(0, 1fr) 57px;
   }
   .rails parkade-sheet { grid-area: drawer; }
   .layout-narrow.bare:not(.rails) { grid-template-rows: 45px minmax(0, 1fr) 57px 48px calc(113px + min(148px, 60vh)); }

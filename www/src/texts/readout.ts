@@ -16,7 +16,9 @@ type Entry = [label: string, value: string];
 export function readoutOf(state: State, planner: PlannerId): TemplateResult | typeof nothing {
   const entries = entriesOf(state, planner);
   if (entries.length === 0) return nothing;
-  return html`<div class="pill readout">${entries.map(([label, value]) => html`<span>${label}<b>${value}</b></span>`)}</div>`;
+  return html`<div class="pill readout">${entries.map(
+    ([label, value]) => html`<span>${label}<b>${value}</b></span>`,
+  )}</div>`;
 }
 
 export function legendOf(state: State, planner: PlannerId): TemplateResult {
@@ -27,9 +29,16 @@ export function legendOf(state: State, planner: PlannerId): TemplateResult {
 export function weightsOf({ scene: { costs = [] }, lang }: State): TemplateResult | typeof nothing {
   if (costs.length === 0) return nothing;
   const weights = [...new Set(costs.map(({ weight }) => weight))].sort((a, b) => a - b);
-  return html`<div class="pill weights" title=${translate(lang, "read.weights")}><span class="sr">${translate(lang, "read.weights")}</span>${weights.map(
+  return html`<div class="pill weights" title=${translate(
+    lang,
+    "read.weights",
+  )}><span class="sr">${translate(lang, "read.weights")}</span>${weights.map(
     (weight) => html`
-    <i .style=${`background:repeating-linear-gradient(135deg,var(--parkade-warn) 0 1.25px,color-mix(in srgb,var(--parkade-warn) ${Math.round(4 + 2.2 * weight)}%,transparent) 0 ${spacingOf(weight)}px)`}></i><span>×${weight}</span>`,
+      <i
+      .style=${
+        `background:repeating-linear-gradient(135deg,var(--parkade-warn) 0 1.25px,color-mix(in ` +
+        `srgb,var(--parkade-warn) ${Math.round(4 + 2.2 * weight)}%,transparent) 0 ${spacingOf(weight)}px)`
+      }></i><span>×${weight}</span>`,
   )}</div>`;
 }
 
@@ -51,11 +60,14 @@ function rampOf(state: State, planner: PlannerId): TemplateResult | typeof nothi
   if (range) {
     const { low, high } = range;
     return html`<div class="pill legend" title=${translate(state.lang, "layer.cost")}>
-      <span>${number(state.lang, low, 2)}</span><span class="ramp"></span><span>≥ ${number(state.lang, high, 2)}</span></div>`;
+      <span>${number(state.lang, low, 2)}</span><span class="ramp"></span><span>≥
+        ${number(state.lang, high, 2)}</span></div>`;
   }
   if (!drawn || expanded < 2) return nothing;
   const tree = plan?.trace?.kind === "arcs";
-  return html`${tree ? html`<div class="pill legend tree">${translate(state.lang, "read.tree")}</div>` : nothing}<div class="pill legend" title=${translate(state.lang, "read.legend")}>
+  return html`${
+    tree ? html`<div class="pill legend tree">${translate(state.lang, "read.tree")}</div>` : nothing
+  }<div class="pill legend" title=${translate(state.lang, "read.legend")}>
     <span>1</span><span class="ramp"></span><span>${number(state.lang, expanded, 0)}</span></div>`;
 }
 

@@ -102,7 +102,9 @@ function rowDraft(bench: Bench, from: Point, to: Point, swapped: boolean): Draft
   return {
     preview: { kind: "slots", slots, from, to, aisle: aisleOf(bench, slots[0]?.heading ?? 0, from, to) },
     label: {
-      text: `${count}${leaning} · ${fixed(shape.width, 2)} × ${fixed(shape.length, 2)} m · ${word(state, "row")} ${fixed(row, 2)} m`,
+      text:
+        `${count}${leaning} · ${fixed(shape.width, 2)} × ${fixed(shape.length, 2)} m · ` +
+        `${word(state, "row")} ${fixed(row, 2)} m`,
       at: [(from[0] + to[0]) / 2, Math.max(from[1], to[1])],
     },
   };

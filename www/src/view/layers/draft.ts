@@ -272,7 +272,9 @@ function drawAisle(frame: Frame, from: Point, to: Point, aisle: Aisle): void {
     ctx.lineTo(x + sign * ux * 6 + uy * 3, y + sign * uy * 6 - ux * 3);
   }
   ctx.stroke();
-  const text = `${word(state, "aisle")} ${fixed(aisle.width, 2)} m${short ? ` · ${word(state, "free")} ${fixed(aisle.free, 2)} m` : ""}`;
+  const text = `${word(state, "aisle")} ${fixed(aisle.width, 2)} m${
+    short ? ` · ${word(state, "free")} ${fixed(aisle.free, 2)} m` : ""
+  }`;
   drawPill(frame, text, a[0] + (b[0] - a[0]) * 0.75 + 10, a[1] + (b[1] - a[1]) * 0.75 - PILL_HEIGHT / 2);
 }
 
