@@ -352,29 +352,3 @@ test("a newcomer draws a wall and slots, parks in the third, and learns why the 
   await page.getByRole("button", { name: "Share" }).click();
   await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toContain("#s=1");
 });
-
-test("a menu closes at Escape, a second press and a press elsewhere; by keys the focus goes back", async ({ page }) => {
-  await open(page);
-  const bar = page.locator("parkade-toolbar"),
-    layers = bar.getByRole("button", { name: "Layers", exact: true }),
-    shown = bar.locator(".popover:popover-open");
-  await layers.click();
-  await expect(shown.getByRole("button", { name: "Clean" })).toBeFocused();
-  await page.keyboard.press("ArrowDown");
-  await expect(shown.getByRole("button", { name: "Search", exact: true })).toBeFocused();
-  await page.keyboard.press("Escape");
-  await expect(shown).toHaveCount(0);
-  await expect(layers).toBeFocused();
-  await layers.click();
-  await expect(shown).toHaveCount(1);
-  await layers.click();
-  await expect(shown).toHaveCount(0);
-  await expect(layers).toHaveAttribute("aria-expanded", "false");
-  await layers.click();
-  await bar.getByRole("button", { name: "Export" }).click();
-  await expect(shown.getByRole("button", { name: "Save scene" })).toBeVisible();
-  await expect(shown).toHaveCount(1);
-  const map = (await page.locator("parkade-stage").boundingBox())!;
-  await page.mouse.click(map.x + 20, map.y + map.height - 20);
-  await expect(shown).toHaveCount(0);
-});

@@ -20,18 +20,23 @@ import { nth } from "../scene/nth";
 
 const say = words("contextMenu", messages);
 
-/** Menu at the pointer, opened by a right click or a resting finger. */
+/**
+ * Menu at the pointer, opened by a right click or a resting finger. The platform has it over everything; it is closed
+ * here, as an "auto" popover would take the end of the press that opens it for a press elsewhere.
+ */
 export class ContextMenu extends AppElement {
   static override properties = { ...AppElement.properties, request: { state: true } };
   static override styles = [
     controls,
     css`
-    .popover { z-index: 40; min-width: 190px; }
+    .popover { min-width: 190px; }
     .item[aria-checked] svg { visibility: hidden; }
     .item[aria-checked="true"] svg { visibility: visible; }
   `,
   ];
   declare request: MenuRequest | null;
+  /** What had the focus before. */
+  private opener: HTMLElement | null = null;
 
   constructor() {
     super();
@@ -58,6 +63,10 @@ export class ContextMenu extends AppElement {
     // A press may have closed it again.
     const menu = this.renderRoot.querySelector<HTMLElement>(".popover");
     if (!menu) return;
+    if (!menu.matches(":popover-open")) {
+      this.opener = focused();
+      menu.showPopover();
+    }
     const { width, height } = menu.getBoundingClientRect();
     menu.style.left = `${Math.max(4, Math.min(request.x, innerWidth - width - 4))}px`;
     menu.style.top = `${Math.max(4, Math.min(request.y, innerHeight - height - 4))}px`;
@@ -77,7 +86,8 @@ export class ContextMenu extends AppElement {
     };
     const toggle = (name: "snap" | "penDraws"): void =>
       store.set({ toolOptions: { ...toolOptions, [name]: !toolOptions[name] } });
-    return html`<div class="popover" role="menu" aria-label=${say(this.state.lang, "menu")} @keydown=${this.onKey}>
+    return html`<div class="popover" popover="manual" role="menu" aria-label=${say(this.state.lang, "menu")}
+      @keydown=${this.onKey}>
       ${some ? html`${this.command("duplicate")}${this.command("remove")}` : nothing}
       ${
         slot && !slot.occupied
@@ -165,8 +175,10 @@ export class ContextMenu extends AppElement {
     }}>${icon("check")}${say(this.state.lang, key)}</button>`;
   }
 
+  /** By keys and by its own items: the focus goes back to where it was. */
   private close(): void {
-    this.request = null;
+    if (this.shadowRoot?.activeElement) this.opener?.focus({ preventScroll: true });
+    this.opener = this.request = null;
   }
 
   private readonly onPress = (event: Event): void => {
@@ -182,6 +194,13 @@ export class ContextMenu extends AppElement {
     const now = items.indexOf(this.shadowRoot?.activeElement as HTMLElement);
     items[(now + (event.key === "ArrowDown" ? 1 : -1) + items.length) % items.length]?.focus();
   };
+}
+
+/** The focused element, in whichever tree. */
+function focused(): HTMLElement | null {
+  let element = document.activeElement;
+  while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+  return element instanceof HTMLElement ? element : null;
 }
 
 /** Headed as the goal is or, of the start and where the goal is not one pose, as the start. */
