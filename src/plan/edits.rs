@@ -8,8 +8,8 @@
 //! The exact geometry (the body's outlines, the scene's runs) is needed only for a plan. It follows once at the next
 //! one, however many strokes came before.
 
+use super::Planner;
 use super::brush::Brush;
-use super::{Engine, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::map::{Cell, raster};
 use crate::metrics::Body;
@@ -51,9 +51,7 @@ impl Planner {
             brush.stale = true;
             if !brush.others.blocked(cell) {
                 world.occupancy.set(cell, blocked);
-                if let Engine::Grid(engine) = engine {
-                    engine.change(world, cell);
-                }
+                engine.cell_changed(world, cell);
             }
         }
         Ok(())
@@ -78,10 +76,6 @@ impl Planner {
             self.world.body = Body::new(&geometry);
             self.world.geometry = geometry;
         }
-        match &mut self.engine {
-            Engine::Hybrid(engine) => engine.change(&self.world),
-            Engine::Road(engine) => engine.change(&self.scenario, &self.world),
-            Engine::Grid(_) => {}
-        }
+        self.engine.obstacles_changed(&self.scenario, &self.world);
     }
 }

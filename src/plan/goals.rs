@@ -12,7 +12,7 @@
 use std::ops::ControlFlow;
 
 use super::measured::{Driven, NEAR, measured};
-use super::{Engine, Improved, Options, Outcome, Plan, Planner, ProgressCallback};
+use super::{Family, Improved, Options, Outcome, Plan, Planner, ProgressCallback};
 use crate::geometry::{Pose, math};
 use crate::scenario::{GoalPose, Goals};
 
@@ -26,19 +26,15 @@ impl Planner {
     /// Without any goal the outcome is `goal-blocked`, with the scene's reason. Afterwards the planner's geometry has
     /// the goal that was reached.
     pub(super) fn plan_any(&mut self, start: Pose, goals: &Goals, mut options: Options) -> Plan {
-        let mut poses: Vec<Pose> = goals.poses.iter().map(|goal| goal.pose).collect();
+        let poses: Vec<Pose> = goals.poses.iter().map(|goal| goal.pose).collect();
         if poses.is_empty() {
             self.world.geometry.start = start;
             let mut plan = measured(&self.world, Outcome::GoalBlocked, Driven::default(), NEAR);
             (plan.planner, plan.reason) = (self.kind.id(), Some(goals.empty_reason().to_owned()));
             return plan;
         }
-        let mut plan = if let Engine::Hybrid(engine) = &mut self.engine {
-            if goals.is_sample() {
-                engine.keep_roomy(&self.world, &mut poses);
-            }
+        let mut plan = if self.engine.aim(&self.world, &poses, goals.is_sample()) {
             let ends = [start, poses[0]];
-            engine.goals = poses;
             match options.improved.take() {
                 None => self.toward(ends, options),
                 Some(improved) => {
@@ -66,9 +62,6 @@ impl Planner {
         } else {
             self.one_by_one(start, &poses, options)
         };
-        if let Engine::Hybrid(engine) = &mut self.engine {
-            engine.goals.clear();
-        }
         let goal = self.world.geometry.goal;
         let nearest = goals.poses.iter().find(|one| one.pose == goal);
         match (plan.outcome, nearest) {
@@ -98,7 +91,7 @@ impl Planner {
         let frame = self.world.frame;
         // Costs are counted from middles of cells, on roads from the car's middle.
         let slack = 2.0 * frame.resolution + self.world.geometry.vehicle.length();
-        let is_grid = matches!(self.engine, Engine::Grid(_));
+        let is_grid = self.kind.family() == Family::Grid;
         let (mut seen, mut best) = (Vec::new(), (f64::INFINITY, goals[0]));
         let (mut expanded, mut is_stopped) = (0_u32, false);
         while goals.len() > 1 && expanded < EFFORT && !is_stopped {

@@ -14,6 +14,8 @@
 //! the check of a car: it has corners, and the search knew a point or a disc. The check says so, and the outcome stays
 //! `found`.
 
+use super::engine::{Ask, Engine};
+use super::layers::LayerData;
 use super::measured::{Driven, NEAR, STEP, measured};
 #[cfg(feature = "complete")]
 use super::outcome::Recorded;
@@ -25,20 +27,20 @@ use super::stages::Stages;
 use super::world::World;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
-use crate::map::{Cell, Frame};
+use crate::map::Cell;
+use crate::map::risk::PotentialField;
 #[cfg(feature = "complete")]
 use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
 use crate::planners::Obstruction;
 use crate::planners::grid_planner::GridPlanner;
-use crate::planners::query::{Detail, GridReport, GridScratch, Query};
+use crate::planners::query::{Detail, GridReport, GridScratch};
 use crate::planners::registry::PlannerId;
 #[cfg(feature = "complete")]
 use crate::planners::risk_field;
 use crate::planners::settings::{Common, Inflation, Post};
 use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};
-#[cfg(feature = "complete")]
-use crate::search::Stop;
+use crate::scenario::Scenario;
 use crate::search::Watch;
 
 /// A path of more poses than this is sampled less often. It bounds time and memory of the check on maps of kilometres.
@@ -49,17 +51,17 @@ const CHORD: f64 = 0.1;
 /// A grid planner and its memory.
 ///
 /// The scratch keeps node tables and queues between plans; its size follows the largest map so far.
-pub(super) struct Engine {
-    search: GridPlanner,
+pub(super) struct GridEngine {
+    search: Box<dyn GridPlanner>,
     settings: Common,
     rasters: Rasters,
     scratch: GridScratch,
 }
 
-impl Engine {
+impl GridEngine {
     /// # Errors
     /// [`ErrorCode::Config`] where cells have weights and the planner takes them for equal.
-    pub(super) fn new(world: &World, kind: PlannerId, search: GridPlanner) -> Result<Self, Error> {
+    pub(super) fn new(world: &World, kind: PlannerId, search: Box<dyn GridPlanner>) -> Result<Self, Error> {
         let settings = search.common();
         if world.occupancy.weights().is_some() && !kind.takes_costs() {
             let rule = message!("must be empty for {}, for which all free cells cost the same", kind.id());
@@ -69,9 +71,31 @@ impl Engine {
         Ok(Self { search, settings, rasters, scratch: GridScratch::new() })
     }
 
-    /// Search, then [`Finish`]. Rasters that depend on start and goal are brought up to date before.
-    pub(super) fn plan(&mut self, world: &World, mut watch: Watch) -> Plan {
-        let report = self.search(world, world.geometry.start, world.geometry.goal, &mut watch);
+    /// The search alone, between two cells. Rasters that depend on them are brought up to date before.
+    ///
+    /// Ends outside the map get a cell that no map has, which the planner answers with an outcome.
+    fn search_cells(&mut self, world: &World, cells: [Cell; 2], watch: &mut Watch) -> GridReport {
+        #[cfg(feature = "complete")]
+        {
+            self.rasters.prepare(world, cells);
+            if self.search.needs_bits() {
+                self.rasters.prepare_bits(world);
+            }
+        }
+        self.search.run(self.rasters.query(world, cells), &mut self.scratch, watch)
+    }
+
+    /// The potential field between the ends of `world`, if one leads the search.
+    fn field<'a>(&'a self, world: &'a World) -> Option<PotentialField<'a>> {
+        Some(self.search.risk_field()?.field(&self.rasters.query(world, ends(world)).query))
+    }
+}
+
+impl Engine for GridEngine {
+    /// Search, then [`Finish`].
+    fn plan(&mut self, _: &Scenario, world: &mut World, mut ask: Ask) -> Plan {
+        let mut watch = ask.watch();
+        let report = self.search_cells(world, ends(world), &mut watch);
         #[cfg(feature = "complete")]
         if let Some(trace) = &mut watch.0 {
             trace.flush();
@@ -82,115 +106,82 @@ impl Engine {
         let finish = Finish { world, rasters: &self.rasters, settings: self.settings, report: &report };
         let mut plan = finish.plan(watch.0.is_some());
         #[cfg(feature = "complete")]
-        self.count(&report, &mut plan.stats);
+        {
+            self.count(&report, &mut plan.stats);
+            plan.recorded = ask.record.map(|limit| Box::new(self.record(world, limit)));
+        }
         plan.trace = watch.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
         plan
     }
 
-    /// The search alone.
-    ///
-    /// Ends outside the map get a cell that no map has, which the planner answers with an outcome.
-    pub(super) fn search(&mut self, world: &World, start: Pose, goal: Pose, watch: &mut Watch) -> GridReport {
-        let [start, goal] = [start, goal].map(|pose| cell_of(&world.frame, pose));
-        #[cfg(feature = "complete")]
-        {
-            self.rasters.prepare(world, start, goal);
-            if self.search.needs_bits() {
-                self.rasters.prepare_bits(world);
+    /// Of the risk field the force at the middle cells of squares of `every` cells: east, north, ….
+    fn layer(&self, world: &World, name: &str, every: u32) -> Option<LayerData> {
+        match name {
+            "risk" => {
+                let forces = self.field(world)?.layer(every).data;
+                Some(LayerData::Floats(forces.into_iter().flatten().collect()))
             }
-        }
-        let query = Query { map: self.rasters.map(world), start, goal };
-        self.search.run(
-            query,
             #[cfg(feature = "complete")]
-            self.rasters.bits(),
-            &mut self.scratch,
-            watch,
-        )
+            "potential" => Some(LayerData::Floats(self.field(world)?.potential_layer().data)),
+            #[cfg(feature = "complete")]
+            "redundant" => Some(LayerData::Bytes(self.rasters.layer(world, ends(world)).data)),
+            _ => None,
+        }
     }
 
-    /// The risk field's force at the middle cells of squares of `every` cells: east, north, …; `None` without a risk
-    /// field.
-    pub(super) fn field(&self, world: &World, every: u32) -> Option<Vec<f32>> {
-        let GridPlanner::RiskField(config) = &self.search else { return None };
-        let map = self.rasters.map(world);
-        let start = cell_of(&world.frame, world.geometry.start);
-        let goal = cell_of(&world.frame, world.geometry.goal);
-        Some(config.field(&Query { map, start, goal }).layer(every).data.into_iter().flatten().collect())
+    #[cfg(feature = "complete")]
+    fn cell_changed(&mut self, world: &World, cell: Cell) {
+        self.rasters.change(world, cell);
+    }
+
+    #[cfg(feature = "complete")]
+    fn search(&mut self, world: &World, ends: [Pose; 2]) -> Option<GridReport> {
+        Some(self.search_cells(world, cells_of(world, ends), &mut Watch::default()))
+    }
+
+    #[cfg(feature = "complete")]
+    fn any_angle_length(&self, world: &World) -> Option<f64> {
+        let [start, goal] = ends(world);
+        let cells = any_angle_length(self.rasters.solid(world), start, goal)?;
+        Some(cells * world.frame.resolution)
+    }
+
+    #[cfg(feature = "complete")]
+    fn explain(&self, world: &World, at: Point) -> Option<risk_field::Explanation> {
+        let config = self.search.risk_field()?;
+        risk_field::explain(self.rasters.query(world, ends(world)).query, config, world.frame.cell_at(at)?)
     }
 }
 
 #[cfg(feature = "complete")]
-impl Engine {
+impl GridEngine {
     /// The last search, between the ends of `world`, with its events written down. Recording runs the search a second
     /// time, so that a plan without it pays nothing.
-    pub(super) fn record(&self, world: &World, limit: usize) -> Recorded {
-        let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
-        let map = self.rasters.map(world);
-        let recording = self.search.record(Query { map, start, goal }, self.rasters.bits(), limit);
-        Recorded::Cells { width: map.width(), height: map.height(), recording }
+    fn record(&self, world: &World, limit: usize) -> Recorded {
+        let at = self.rasters.query(world, ends(world));
+        let (width, height) = (at.query.map.width(), at.query.map.height());
+        Recorded::Cells { width, height, recording: self.search.record(at, limit) }
     }
 
-    /// The risk field's potential at every cell; `None` without a risk field.
-    pub(super) fn potential(&self, world: &World) -> Option<Vec<f32>> {
-        let GridPlanner::RiskField(config) = &self.search else { return None };
-        let map = self.rasters.map(world);
-        let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
-        Some(config.field(&Query { map, start, goal }).potential_layer().data)
-    }
-
-    /// Explains the risk field at the cell of a point; `None` without a risk field, off the map and in blocked cells.
-    pub(super) fn explain(&self, world: &World, at: Point) -> Option<risk_field::Explanation> {
-        let GridPlanner::RiskField(config) = &self.search else { return None };
-        let map = self.rasters.map(world);
-        let start = cell_of(&world.frame, world.geometry.start);
-        let goal = cell_of(&world.frame, world.geometry.goal);
-        risk_field::explain(Query { map, start, goal }, config, world.frame.cell_at(at)?)
-    }
-}
-
-#[cfg(feature = "complete")]
-impl Engine {
     /// Counters that only some planners and settings have.
     fn count(&self, report: &GridReport, stats: &mut Stats) {
-        match &self.search {
-            GridPlanner::JumpPoint(_) => stats.cells_scanned = Some(report.cells_scanned),
-            GridPlanner::Bidirectional(config) if config.stop == Stop::Optimal => {
-                stats.rejected = Some(report.rejected);
-            }
-            _ => {}
-        }
+        (stats.cells_scanned, stats.rejected) = (report.cells_scanned, report.rejected);
         if let Some(redundant) = self.rasters.redundant() {
             stats.narrow = Some(redundant.narrow);
             stats.pocket = Some(redundant.pocket);
             stats.restored = Some(redundant.restored);
         }
     }
-
-    /// Each cell's safety between start and goal, as a number.
-    pub(super) fn safety(&self, world: &World) -> Vec<u8> {
-        let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
-        self.rasters.layer(world, start, goal).data
-    }
-
-    /// The any-angle yardstick between start and goal, metres.
-    pub(super) fn any_angle_length(&self, world: &World) -> Option<f64> {
-        let [start, goal] = [world.geometry.start, world.geometry.goal].map(|p| cell_of(&world.frame, p));
-        let cells = any_angle_length(self.rasters.solid(world), start, goal)?;
-        Some(cells * world.frame.resolution)
-    }
-
-    /// The map has changed in one cell.
-    pub(super) fn change(&mut self, world: &World, cell: Cell) {
-        self.rasters.change(world, cell);
-    }
 }
 
-/// The cell of a pose; one outside the map where it is outside.
-///
-/// Outside the map the cell is (−1, −1), which is blocked in every map.
-fn cell_of(frame: &Frame, pose: Pose) -> Cell {
-    frame.cell_at(pose.point()).unwrap_or(Cell::new(-1, -1))
+/// The cells of start and goal.
+fn ends(world: &World) -> [Cell; 2] {
+    cells_of(world, [world.geometry.start, world.geometry.goal])
+}
+
+/// The cells of two poses; (−1, −1), which is blocked in every map, for one outside the map.
+fn cells_of(world: &World, poses: [Pose; 2]) -> [Cell; 2] {
+    poses.map(|pose| world.frame.cell_at(pose.point()).unwrap_or(Cell::new(-1, -1)))
 }
 
 /// Everything after the search, from cells to a checked plan in metres.

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "complete")]
 use super::choices::{self, Choosing, Wish};
+use super::engine::{Ask, Engine};
 #[cfg(feature = "complete")]
 use super::hybrid_answer::resolution;
 use super::hybrid_answer::{detail, metrics, outcome, reason, stats};
@@ -32,7 +33,7 @@ use crate::vehicle::collision::Obstacles;
 #[cfg(feature = "complete")]
 const ROUNDING: f64 = 1e-6;
 /// Hybrid A*, its obstacles and its memory.
-pub(super) struct Engine {
+pub(super) struct HybridEngine {
     #[cfg(feature = "complete")]
     kind: PlannerId,
     /// The path of the last plan that found one.
@@ -43,10 +44,10 @@ pub(super) struct Engine {
     scratch: Scratch,
     /// The goals of the next plan, if there are several.
     #[cfg(feature = "complete")]
-    pub(super) goals: Vec<Pose>,
+    goals: Vec<Pose>,
 }
 
-impl Engine {
+impl HybridEngine {
     pub(super) fn new(
         world: &World,
         #[cfg(feature = "complete")] kind: PlannerId,
@@ -76,41 +77,8 @@ impl Engine {
         })
     }
 
-    /// Leaves out poses at which the car does not keep the margin asked for, but not all of them.
-    #[cfg(feature = "complete")]
-    pub(super) fn keep_roomy(&self, world: &World, poses: &mut Vec<Pose>) {
-        let roomy = with_room(&self.obstacles, &world.geometry.vehicle, poses, self.config.margin);
-        if !roomy.is_empty() {
-            *poses = roomy.iter().map(|&at| poses[at]).collect();
-        }
-    }
-
-    /// Takes over the last path of another engine.
-    #[cfg(feature = "complete")]
-    pub(super) fn continue_from(&mut self, before: &mut Self) {
-        self.last = before.last.take();
-    }
-
-    /// Takes over a path: its poses, one at least, their gears and curvatures.
-    #[cfg(feature = "complete")]
-    pub(super) fn continue_along(&mut self, poses: &[Pose], gears: &[i8], curvatures: &[f64]) {
-        self.last = Some(Last::along(self.obstacles.local(poses[0]), poses, gears, curvatures));
-    }
-
-    /// The next plan's search is written down, at most so many steps of it.
-    #[cfg(feature = "complete")]
-    pub(super) fn record(&mut self, limit: Option<usize>) {
-        self.scratch.record(limit);
-    }
-
-    /// The obstacles have changed.
-    #[cfg(feature = "complete")]
-    pub(super) fn change(&mut self, world: &World) {
-        self.obstacles = obstacles(&world.geometry).painted(world.paint());
-    }
-
     /// Plans between the ends of `world`, or to the cheapest of several goals, which is its goal from then on.
-    pub(super) fn plan(
+    fn found(
         &mut self,
         scenario: &Scenario,
         world: &mut World,
@@ -219,7 +187,7 @@ impl Engine {
 
     /// Chooses among further paths and plans them. The goal of `world` becomes that of the chosen path.
     #[cfg(feature = "complete")]
-    pub(super) fn choose(
+    fn choose(
         &mut self,
         (scenario, world): (&Scenario, &mut World),
         (mut plan, first): (Plan, Report),
@@ -277,6 +245,50 @@ impl Engine {
         world.geometry.goal = plan.path.last().copied().unwrap_or(world.geometry.goal);
         (plan.trace, plan.recorded) = (trace, recorded);
         plan
+    }
+}
+
+impl Engine for HybridEngine {
+    fn plan(&mut self, scenario: &Scenario, world: &mut World, ask: Ask) -> Plan {
+        let mut progress = ask.progress;
+        #[cfg(feature = "complete")]
+        self.scratch.record(ask.record);
+        let found = self.found(scenario, world, ask.is_traced, &mut progress);
+        #[cfg(feature = "complete")]
+        {
+            let plan = self.choose((scenario, world), found, ask.wish, &mut progress);
+            self.goals.clear();
+            plan
+        }
+        #[cfg(not(feature = "complete"))]
+        found.0
+    }
+
+    #[cfg(feature = "complete")]
+    fn obstacles_changed(&mut self, _: &Scenario, world: &World) {
+        self.obstacles = obstacles(&world.geometry).painted(world.paint());
+    }
+
+    #[cfg(feature = "complete")]
+    fn aim(&mut self, world: &World, goals: &[Pose], is_sample: bool) -> bool {
+        let roomy = if is_sample {
+            with_room(&self.obstacles, &world.geometry.vehicle, goals, self.config.margin)
+        } else {
+            Vec::new()
+        };
+        self.goals =
+            if roomy.is_empty() { goals.to_vec() } else { roomy.iter().map(|&at| goals[at]).collect() };
+        true
+    }
+
+    #[cfg(feature = "complete")]
+    fn last(&mut self) -> Option<&mut Option<Last>> {
+        Some(&mut self.last)
+    }
+
+    #[cfg(feature = "complete")]
+    fn continue_along(&mut self, poses: &[Pose], gears: &[i8], curvatures: &[f64]) {
+        self.last = Some(Last::along(self.obstacles.local(poses[0]), poses, gears, curvatures));
     }
 }
 

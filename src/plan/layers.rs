@@ -4,8 +4,8 @@
 //! takes time linear in the cells, but for `redundant` and the fields, which are as dear as preparing a search. Values
 //! are in row-major order from the south-western cell, x fastest: cell (x, y) is item `y * width + x`, as in the map.
 
+use super::Planner;
 use super::world::World;
-use super::{Engine, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::map::{distance, inflation};
 
@@ -60,51 +60,37 @@ impl Planner {
             return Err(Error::new(ErrorCode::Input, "every", message!("must be {}, got {}", rule, every)));
         }
         let map = &self.world.occupancy;
-        let data = match (name, &self.engine) {
-            ("occupancy", _) => LayerData::Bytes(cells(&self.world)),
-            ("safety", _) => {
+        let data = match name {
+            "occupancy" => LayerData::Bytes(cells(&self.world)),
+            "safety" => {
                 let radius = self.world.geometry.vehicle.width / 2.0 / self.world.frame.resolution;
                 let inflated = inflation::necessary(map, radius);
                 LayerData::Bytes(inflation::layer(map, &inflated).data)
             }
-            ("clearance", _) => LayerData::Floats(distance::clearance(map, self.world.frame.resolution).data),
-            #[cfg(feature = "complete")]
-            ("redundant", Engine::Grid(engine)) => LayerData::Bytes(engine.safety(&self.world)),
-            #[cfg(feature = "complete")]
-            ("redundant", _) => {
-                let message = message!("{} closes no redundant cells; grid planners do", self.kind.id());
-                return Err(Error::new(ErrorCode::Input, "name", message));
-            }
-            #[cfg(feature = "complete")]
-            ("cost", Engine::Road(engine)) => LayerData::Floats(engine.costs()),
-            #[cfg(feature = "complete")]
-            ("cost", _) => {
-                let message = message!("{} has no cost map; cost-map has", self.kind.id());
-                return Err(Error::new(ErrorCode::Input, "name", message));
-            }
-            #[cfg(feature = "complete")]
-            ("potential", engine) => {
-                let potential =
-                    if let Engine::Grid(engine) = engine { engine.potential(&self.world) } else { None };
-                let message = || message!("{} has no risk field; risk-field has", self.kind.id());
-                LayerData::Floats(potential.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
-            }
-            ("risk", engine) => {
-                let field =
-                    if let Engine::Grid(engine) = engine { engine.field(&self.world, every) } else { None };
-                let message = || message!("{} has no risk field; risk-field has", self.kind.id());
-                LayerData::Floats(field.ok_or_else(|| Error::new(ErrorCode::Input, "name", message()))?)
-            }
-            _ => {
-                #[cfg(feature = "complete")]
-                let known = "occupancy, safety, redundant, clearance, risk, potential or cost";
-                #[cfg(not(feature = "complete"))]
-                let known = "occupancy, safety, clearance or risk";
-                let message = message!("must be {}, got \"{}\"", known, name);
-                return Err(Error::new(ErrorCode::Input, "name", message));
-            }
+            "clearance" => LayerData::Floats(distance::clearance(map, self.world.frame.resolution).data),
+            _ => self.engine.layer(&self.world, name, every).ok_or_else(|| self.no_layer(name))?,
         };
         Ok(Layer { width: map.width() / every, height: map.height() / every, data })
+    }
+
+    /// The error where this planner has no raster of a name.
+    fn no_layer(&self, name: &str) -> Error {
+        #[cfg(feature = "complete")]
+        const KNOWN: &str = "occupancy, safety, redundant, clearance, risk, potential or cost";
+        #[cfg(not(feature = "complete"))]
+        const KNOWN: &str = "occupancy, safety, clearance or risk";
+        let id = self.kind.id();
+        let message = match name {
+            "risk" => message!("{} has no risk field; risk-field has", id),
+            #[cfg(feature = "complete")]
+            "potential" => message!("{} has no risk field; risk-field has", id),
+            #[cfg(feature = "complete")]
+            "redundant" => message!("{} closes no redundant cells; grid planners do", id),
+            #[cfg(feature = "complete")]
+            "cost" => message!("{} has no cost map; cost-map has", id),
+            _ => message!("must be {}, got \"{}\"", KNOWN, name),
+        };
+        Error::new(ErrorCode::Input, "name", message)
     }
 }
 

@@ -14,6 +14,7 @@ mod brush;
 mod choices;
 #[cfg(feature = "complete")]
 mod edits;
+mod engine;
 #[cfg(feature = "complete")]
 mod goals;
 mod grid;
@@ -65,20 +66,19 @@ use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
-use crate::planners::registry::{Family, PlannerId, Settings, default_config};
+use crate::planners::registry::{Family, PlannerId, default_config};
 #[cfg(feature = "complete")]
 use crate::scenario::Goals;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
+use crate::search::Progress;
 #[cfg(feature = "complete")]
 pub use crate::search::{ExpansionCallback, Expansions};
-use crate::search::{Progress, Trace};
 #[cfg(feature = "complete")]
 use crate::{geometry::Point, planners::risk_field::Explanation};
+use engine::{Ask, Engine, engine};
 use world::World;
 
-/// Events that a trace keeps.
-const TRACE: usize = 1_000_000;
 /// Steps of a search that are recorded with all they did, where no other number is asked for.
 #[cfg(feature = "complete")]
 pub const RECORDED_STEPS: usize = 100_000;
@@ -131,14 +131,6 @@ impl Options<'_> {
     }
 }
 
-/// Boxed, because the three differ much in size. All three answer the same [`Plan`].
-enum Engine {
-    Grid(Box<grid::Engine>),
-    Hybrid(Box<hybrid::Engine>),
-    #[cfg(feature = "complete")]
-    Road(Box<road::Engine>),
-}
-
 /// A planner on one scene: settings checked once, map prepared once, memory reused between plans.
 ///
 /// # Examples
@@ -158,7 +150,7 @@ pub struct Planner {
     /// The scene's goals, where it has a set of them.
     #[cfg(feature = "complete")]
     own_goals: Option<Goals>,
-    engine: Engine,
+    engine: Box<dyn Engine>,
     #[cfg(feature = "complete")]
     brush: Option<brush::Brush>,
 }
@@ -183,17 +175,7 @@ impl Planner {
         }
         #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
         let mut world = World::new(scenario)?;
-        let engine = match kind.settings(&settings)? {
-            Settings::Grid(search) => Engine::Grid(Box::new(grid::Engine::new(&world, kind, search)?)),
-            Settings::Hybrid(config) => Engine::Hybrid(Box::new(hybrid::Engine::new(
-                &world,
-                #[cfg(feature = "complete")]
-                kind,
-                config,
-            )?)),
-            #[cfg(feature = "complete")]
-            Settings::Road(config) => Engine::Road(Box::new(road::Engine::new(scenario, &world, config))),
-        };
+        let engine = engine(kind, kind.settings(&settings)?, scenario, &world)?;
         Ok(Self {
             kind,
             scenario: scenario.clone(),
@@ -243,11 +225,9 @@ impl Planner {
     fn toward(&mut self, ends: [Pose; 2], options: Options) -> Plan {
         [self.world.geometry.start, self.world.geometry.goal] = ends;
         let every = if self.kind.family() == Family::Hybrid { POSES } else { CELLS };
-        let mut progress = options.progress.map(|tell| Progress::new(every, tell));
+        let progress = options.progress.map(|tell| Progress::new(every, tell));
         #[cfg(feature = "complete")]
-        if let Some(progress) = &mut progress {
-            progress.expansions = options.expansions;
-        }
+        let progress = progress.map(|progress| progress.telling(options.expansions));
         #[cfg(feature = "complete")]
         let wish = choices::Wish {
             prefer: options.prefer,
@@ -255,28 +235,17 @@ impl Planner {
             improved: options.improved,
             stickiness: options.stickiness,
         };
-        let trace = || options.trace.then(|| Trace::new(TRACE));
-        #[cfg(feature = "complete")]
-        let trace = || trace().map(|trace| trace.telling(options.expansions));
-        let mut plan = match &mut self.engine {
-            Engine::Grid(engine) => engine.plan(&self.world, (trace(), progress)),
-            Engine::Hybrid(engine) => {
-                #[cfg(feature = "complete")]
-                engine.record(options.record);
-                let found = engine.plan(&self.scenario, &mut self.world, options.trace, &mut progress);
-                #[cfg(feature = "complete")]
-                let found = (engine.choose((&self.scenario, &mut self.world), found, wish, &mut progress),);
-                found.0
-            }
+        let ask = Ask {
+            is_traced: options.trace,
+            progress,
             #[cfg(feature = "complete")]
-            Engine::Road(engine) => {
-                engine.plan(&self.scenario, &self.world, (trace(), progress), options.record)
-            }
+            record: options.record,
+            #[cfg(feature = "complete")]
+            expansions: options.expansions,
+            #[cfg(feature = "complete")]
+            wish,
         };
-        #[cfg(feature = "complete")]
-        if let (Engine::Grid(engine), Some(limit)) = (&self.engine, options.record) {
-            plan.recorded = Some(Box::new(engine.record(&self.world, limit)));
-        }
+        let mut plan = self.engine.plan(&self.scenario, &mut self.world, ask);
         plan.planner = self.kind.id();
         plan
     }
@@ -312,14 +281,10 @@ impl Planner {
                 ));
             }
         }
-        match &self.engine {
-            Engine::Grid(engine) if self.kind.has_risk_field() => {
-                Ok(engine.explain(&self.world, Point::new(x, y)))
-            }
-            _ => {
-                let message = message!("{} has no risk field; risk-field has", self.kind.id());
-                Err(Error::new(ErrorCode::Input, "planner", message))
-            }
+        if !self.kind.has_risk_field() {
+            let message = message!("{} has no risk field; risk-field has", self.kind.id());
+            return Err(Error::new(ErrorCode::Input, "planner", message));
         }
+        Ok(self.engine.explain(&self.world, Point::new(x, y)))
     }
 }

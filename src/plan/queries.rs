@@ -4,16 +4,12 @@
 //! them (a risk field, closed dead ends) is made anew. Ends are checked for finite coordinates alone: a start inside a
 //! wall or off the map is an outcome, because it can happen to anybody who drags it there.
 
-#[cfg(feature = "complete")]
-use super::Engine;
 use super::{Options, Outcome, Plan, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 #[cfg(feature = "complete")]
 use crate::planners::registry::Family;
 use crate::scenario::checks::finite_pose;
-#[cfg(feature = "complete")]
-use crate::search::Watch;
 
 /// Start and goal of a plan; a missing one is the scene's.
 #[derive(Debug, Clone, Copy, Default)]
@@ -81,10 +77,10 @@ impl Planner {
     /// The old planner gives its path away and plans afterwards as if it had none.
     #[cfg(feature = "complete")]
     pub fn continue_from(&mut self, before: &mut Self) {
-        if let (Engine::Hybrid(engine), Engine::Hybrid(last)) = (&mut self.engine, &mut before.engine)
+        if let (Some(last), Some(before_last)) = (self.engine.last(), before.engine.last())
             && self.world.geometry.boundary == before.world.geometry.boundary
         {
-            engine.continue_from(last);
+            *last = before_last.take();
         }
     }
 
@@ -108,10 +104,8 @@ impl Planner {
         if path.iter().chain(curvatures).any(|number| !number.is_finite()) {
             return Err(wrong("must be a path without corners, of finite numbers"));
         }
-        if let Engine::Hybrid(engine) = &mut self.engine {
-            let poses: Vec<Pose> = path.chunks_exact(3).map(|at| Pose::new(at[0], at[1], at[2])).collect();
-            engine.continue_along(&poses, directions, curvatures);
-        }
+        let poses: Vec<Pose> = path.chunks_exact(3).map(|at| Pose::new(at[0], at[1], at[2])).collect();
+        self.engine.continue_along(&poses, directions, curvatures);
         Ok(())
     }
 
@@ -137,11 +131,10 @@ impl Planner {
     pub fn search(&mut self, start: Point, goal: Point) -> Result<Found, Error> {
         let pose = |point: Point| Pose::new(point.x, point.y, 0.0);
         let (start, goal) = (checked("start", pose(start))?, checked("goal", pose(goal))?);
-        let Engine::Grid(engine) = &mut self.engine else {
+        let Some(report) = self.engine.search(&self.world, [start, goal]) else {
             let message = message!("{} has no bare search; grid planners have", self.kind.id());
             return Err(Error::new(ErrorCode::Input, "", message));
         };
-        let report = engine.search(&self.world, start, goal, &mut Watch::default());
         Ok(Found {
             outcome: report.outcome,
             path: report.cells.iter().map(|&cell| self.world.frame.center(cell)).collect(),
@@ -165,7 +158,6 @@ impl Planner {
     /// ```
     #[cfg(feature = "complete")]
     pub fn any_angle_length(&self) -> Option<f64> {
-        let Engine::Grid(engine) = &self.engine else { return None };
-        engine.any_angle_length(&self.world)
+        self.engine.any_angle_length(&self.world)
     }
 }

@@ -9,8 +9,10 @@
 
 use super::world::World;
 #[cfg(feature = "complete")]
-use crate::map::{Bits, Cell, Layer, Redundant, RedundantSettings, redundant};
-use crate::map::{Occupancy, inflation};
+use crate::map::{Bits, Layer, Redundant, RedundantSettings, redundant};
+use crate::map::{Cell, Occupancy, inflation};
+use crate::planners::grid_planner::Prepared;
+use crate::planners::query::Query;
 use crate::planners::settings::Common;
 
 /// Absent maps are equal to the one below and take no memory.
@@ -68,6 +70,15 @@ impl Rasters {
         }
         self.solid(world)
     }
+
+    /// A query on that map, with its jump bitmaps if there are any.
+    pub(super) fn query<'a>(&'a self, world: &'a World, [start, goal]: [Cell; 2]) -> Prepared<'a> {
+        Prepared {
+            query: Query { map: self.map(world), start, goal },
+            #[cfg(feature = "complete")]
+            bits: self.extra.bits.as_ref(),
+        }
+    }
 }
 
 #[cfg(feature = "complete")]
@@ -84,7 +95,7 @@ impl Extra {
 #[cfg(feature = "complete")]
 impl Rasters {
     /// Brings the map between these ends up to date.
-    pub(super) fn prepare(&mut self, world: &World, start: Cell, goal: Cell) {
+    pub(super) fn prepare(&mut self, world: &World, [start, goal]: [Cell; 2]) {
         let Some(settings) = self.extra.closing else { return };
         if self.extra.closed.as_ref().is_none_or(|known| (known.0, known.1) != (start, goal)) {
             self.extra.closed = Some((start, goal, redundant(self.solid(world), start, goal, settings)));
@@ -92,16 +103,11 @@ impl Rasters {
         }
     }
 
-    /// Makes sure that there are [`Rasters::bits`].
+    /// Makes sure that there are jump bitmaps of the searched map.
     pub(super) fn prepare_bits(&mut self, world: &World) {
         if self.extra.bits.is_none() {
             self.extra.bits = Some(Bits::new(self.map(world)));
         }
-    }
-
-    /// Jump bitmaps of the searched map.
-    pub(super) fn bits(&self) -> Option<&Bits> {
-        self.extra.bits.as_ref()
     }
 
     /// The closed redundant space, if the settings ask for it.
@@ -110,7 +116,7 @@ impl Rasters {
     }
 
     /// Each cell's [`inflation::Safety`] between these ends, as a number.
-    pub(super) fn layer(&self, world: &World, start: Cell, goal: Cell) -> Layer<u8> {
+    pub(super) fn layer(&self, world: &World, [start, goal]: [Cell; 2]) -> Layer<u8> {
         let solid = self.solid(world);
         match self.extra.closing.map(|settings| redundant(solid, start, goal, settings)) {
             Some(closed) => inflation::layers(&world.occupancy, solid, &closed.map),

@@ -9,6 +9,8 @@
 //! second among all cells with room for the car, where short room is dear. Counters add up, and the trace has both. A
 //! plan that keeps less than the margin says so (`less-margin`) and, where it can be proven, that none keeps it.
 
+use super::engine::{Ask, Engine};
+use super::layers::LayerData;
 use super::measured::{Driven, NEAR, STEP, measured};
 use super::outcome::{Outcome, Plan, PlanTrace, Recorded, Stats};
 use super::road_curve::{Curve, ENDS, along};
@@ -24,7 +26,7 @@ use crate::planners::cost_map::{
     is_excluded, kerb_distances, paper_spline, plan, record,
 };
 use crate::scenario::Scenario;
-use crate::search::{Trace, Watch};
+use crate::search::Trace;
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
@@ -37,7 +39,7 @@ const LARGEST_CAR: f64 = 10.0;
 /// Cost-map A*, its rasters and its memory.
 ///
 /// Rasters depend on the obstacles, the traffic on the ends as well, the costs on both.
-pub(super) struct Engine {
+pub(super) struct RoadEngine {
     config: Config,
     ground: RoadRasters,
     traffic: Traffic,
@@ -53,20 +55,13 @@ struct Line {
     fell_back: bool,
 }
 
-impl Engine {
+impl RoadEngine {
     /// Prepares the rasters: distances, lanes, kerbs and speed limits, each linear in the cells.
     pub(super) fn new(scenario: &Scenario, world: &World, config: Config) -> Self {
         let ground = ground(scenario, world);
         let traffic = traffic(scenario, world);
         let costs = costs(scenario, world, &ground, &traffic, &config);
         Self { config, ground, traffic, costs, scratch: Scratch::default() }
-    }
-
-    /// The obstacles have changed.
-    pub(super) fn change(&mut self, scenario: &Scenario, world: &World) {
-        self.ground = ground(scenario, world);
-        self.traffic = traffic(scenario, world);
-        self.costs = costs(scenario, world, &self.ground, &self.traffic, &self.config);
     }
 
     /// Other ends can have other lanes.
@@ -78,20 +73,59 @@ impl Engine {
         }
     }
 
-    /// Per cell, what a metre costs beyond its length.
-    pub(super) fn costs(&self) -> Vec<f32> {
-        self.costs.layer(&self.ground)
+    /// The question to the search; with `less`, cells with less than the margin count, too.
+    fn query(&self, world: &World, less: bool) -> Query<'_> {
+        let [start, goal] = middles(world);
+        let radius = radius(world);
+        Query { ground: &self.ground, costs: &self.costs, radius, start, goal, less }
     }
 
+    /// The line that the car follows and the checked plan of following it.
+    fn driven(&self, world: &World, report: &Report) -> (Line, Plan) {
+        let line = self.line(world, report);
+        let driven = if report.outcome == Outcome::Found { drive(world, &line) } else { Driven::default() };
+        let outcome = outcome(world, &self.query(world, false), report.outcome);
+        let plan = measured(world, outcome, driven, NEAR.max(world.frame.resolution));
+        (line, plan)
+    }
+
+    /// Chords with the curve that replaces them; no curve where the settings ask for none or there is nothing to
+    /// smooth.
+    fn line(&self, world: &World, report: &Report) -> Line {
+        let chords: Vec<Point> = report.pruned.iter().map(|&c| world.frame.center(c)).collect();
+        let (curve, fell_back) = match self.config.smoothing {
+            _ if chords.len() < 2 => (None, false),
+            Curves::None => (None, false),
+            Curves::Paper => (paper_spline(&chords), false),
+            Curves::Spline => {
+                let limit = world.geometry.vehicle.max_curvature();
+                let lever = world.geometry.vehicle.middle();
+                let ends = [world.geometry.start, world.geometry.goal];
+                let how = Smoothing {
+                    sigma: self.config.residual,
+                    places: self.config.smooth_points,
+                    // Of the middle, where the rear axle's is at its limit.
+                    max_curvature: limit / (1.0 + lever * lever * limit * limit).sqrt(),
+                    radius: radius(world),
+                    margin: self.config.kept(),
+                    close: false,
+                    ways: ends.map(|end| self.config.headings.then(|| end.direction())),
+                    scale: (world.geometry.vehicle.length() / LARGEST_CAR).max(1.0),
+                };
+                let curve = Curve { world, ground: &self.ground, costs: &self.costs, how };
+                curve.along(&chords, corners(&report.cells).len() == 2)
+            }
+        };
+        Line { chords, curve, fell_back }
+    }
+}
+
+impl Engine for RoadEngine {
     /// Search, chords, curve, towing, check and figures. Of the last search at most `steps` steps are written down:
     /// the one whose way the car drives.
-    pub(super) fn plan(
-        &mut self,
-        scenario: &Scenario,
-        world: &World,
-        mut watch: Watch,
-        steps: Option<usize>,
-    ) -> Plan {
+    fn plan(&mut self, scenario: &Scenario, world: &mut World, mut ask: Ask) -> Plan {
+        let world = &*world;
+        let mut watch = ask.watch();
         let mut scratch = std::mem::take(&mut self.scratch);
         self.turn(scenario, world);
         let mut report = plan(&self.query(world, false), &self.config, &mut scratch, &mut watch);
@@ -150,7 +184,7 @@ impl Engine {
             });
         }
         self.scratch = scratch;
-        plan.recorded = steps.map(|limit| {
+        plan.recorded = ask.record.map(|limit| {
             let recording = record(&self.query(world, false), &report, limit);
             let [width, height] = [world.frame.width, world.frame.height];
             Box::new(Recorded::Cells { width, height, recording })
@@ -159,50 +193,15 @@ impl Engine {
         plan
     }
 
-    /// The question to the search; with `less`, cells with less than the margin count, too.
-    fn query(&self, world: &World, less: bool) -> Query<'_> {
-        let [start, goal] = middles(world);
-        let radius = radius(world);
-        Query { ground: &self.ground, costs: &self.costs, radius, start, goal, less }
+    /// Of the costs, per cell what a metre costs beyond its length.
+    fn layer(&self, _: &World, name: &str, _: u32) -> Option<LayerData> {
+        (name == "cost").then(|| LayerData::Floats(self.costs.layer(&self.ground)))
     }
 
-    /// The line that the car follows and the checked plan of following it.
-    fn driven(&self, world: &World, report: &Report) -> (Line, Plan) {
-        let line = self.line(world, report);
-        let driven = if report.outcome == Outcome::Found { drive(world, &line) } else { Driven::default() };
-        let outcome = outcome(world, &self.query(world, false), report.outcome);
-        let plan = measured(world, outcome, driven, NEAR.max(world.frame.resolution));
-        (line, plan)
-    }
-
-    /// Chords with the curve that replaces them; no curve where the settings ask for none or there is nothing to
-    /// smooth.
-    fn line(&self, world: &World, report: &Report) -> Line {
-        let chords: Vec<Point> = report.pruned.iter().map(|&c| world.frame.center(c)).collect();
-        let (curve, fell_back) = match self.config.smoothing {
-            _ if chords.len() < 2 => (None, false),
-            Curves::None => (None, false),
-            Curves::Paper => (paper_spline(&chords), false),
-            Curves::Spline => {
-                let limit = world.geometry.vehicle.max_curvature();
-                let lever = world.geometry.vehicle.middle();
-                let ends = [world.geometry.start, world.geometry.goal];
-                let how = Smoothing {
-                    sigma: self.config.residual,
-                    places: self.config.smooth_points,
-                    // Of the middle, where the rear axle's is at its limit.
-                    max_curvature: limit / (1.0 + lever * lever * limit * limit).sqrt(),
-                    radius: radius(world),
-                    margin: self.config.kept(),
-                    close: false,
-                    ways: ends.map(|end| self.config.headings.then(|| end.direction())),
-                    scale: (world.geometry.vehicle.length() / LARGEST_CAR).max(1.0),
-                };
-                let curve = Curve { world, ground: &self.ground, costs: &self.costs, how };
-                curve.along(&chords, corners(&report.cells).len() == 2)
-            }
-        };
-        Line { chords, curve, fell_back }
+    fn obstacles_changed(&mut self, scenario: &Scenario, world: &World) {
+        self.ground = ground(scenario, world);
+        self.traffic = traffic(scenario, world);
+        self.costs = costs(scenario, world, &self.ground, &self.traffic, &self.config);
     }
 }
 

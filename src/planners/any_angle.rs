@@ -4,6 +4,7 @@
 
 use std::cell::Cell as Counter;
 
+use super::grid_planner::grid_planner;
 use super::moves::{DIRECTIONS, cost, legal_steps};
 use super::parameters::parameters;
 use super::query::{GridReport, GridScratch, Query};
@@ -22,6 +23,8 @@ parameters! {
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;
 }
+
+grid_planner!(Config: plan, record);
 
 struct AnyAngle<'a> {
     query: Query<'a>,

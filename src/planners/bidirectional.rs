@@ -6,6 +6,7 @@
 
 use super::Outcome;
 use super::grid_lattice::Grid;
+use super::grid_planner::grid_planner;
 use super::heuristics::{Chosen, Estimate, Heuristic, Octile};
 use super::moves::Neighbourhood;
 use super::parameters::{Form, parameters, spec};
@@ -36,6 +37,8 @@ parameters! {
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;
 }
+
+grid_planner!(Config: plan, record);
 
 /// Searches a path over the cells of a map, from both ends. Counters add up both sides.
 ///

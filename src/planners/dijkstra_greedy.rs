@@ -7,14 +7,15 @@
 use super::Outcome;
 use super::grid_astar::record_grid;
 use super::grid_lattice::Grid;
+use super::grid_planner::{GridPlanner, Prepared};
 use super::heuristics::{Chosen, Heuristic};
 use super::moves::{Neighbourhood, cost};
-use super::parameters::{Form, parameters, spec};
+use super::parameters::{Field, Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
 use crate::search::one_way;
-use crate::search::{Observer, Recording, record_one_way};
+use crate::search::{Observer, Recording, Watch, record_one_way};
 
 parameters! {
     /// Settings of both searches.
@@ -27,6 +28,39 @@ parameters! {
     }
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;
+}
+
+/// One of the two searches with its settings.
+pub(super) struct Search {
+    config: Config,
+    is_greedy: bool,
+}
+
+impl Search {
+    pub(super) const DIJKSTRA: Self = Self { config: Config::DEFAULT, is_greedy: false };
+    pub(super) const GREEDY: Self = Self { config: Config::DEFAULT, is_greedy: true };
+}
+
+impl super::parameters::Parameters for Search {
+    fn fields(&mut self) -> Vec<Field<'_>> {
+        self.config.fields()
+    }
+}
+
+impl GridPlanner for Search {
+    fn common(&self) -> Common {
+        self.config.common
+    }
+
+    fn run(&self, at: Prepared, scratch: &mut GridScratch, watch: &mut Watch) -> GridReport {
+        let plan = if self.is_greedy { greedy } else { dijkstra };
+        plan(at.query, &self.config, scratch, watch)
+    }
+
+    fn record(&self, at: Prepared, limit: usize) -> Recording {
+        let record = if self.is_greedy { record_greedy } else { record_dijkstra };
+        record(at.query, &self.config, limit)
+    }
 }
 
 /// Searches the cheapest path over the cells of a map by Dijkstra's search.

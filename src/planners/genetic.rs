@@ -9,6 +9,7 @@
 //! at random, and half of these changes repair a leg that is not free.
 
 use super::Outcome;
+use super::grid_planner::grid_planner;
 use super::moves::{D, cost};
 use super::parameters::{Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
@@ -56,6 +57,8 @@ parameters! {
     /// The settings that all grid planners share.
     shared common: Common = SHARED;
 }
+
+grid_planner!(Config: plan, record);
 
 #[derive(Debug, Clone)]
 struct Candidate {

@@ -4,18 +4,18 @@
 //! whole rectangle. Without a weight and with an admissible heuristic the path is the cheapest one.
 
 use super::grid_lattice::Grid;
+use super::grid_planner::{GridPlanner, Prepared};
 use super::heuristics::{
     Chosen, DistanceWeight, Estimate, Euclid, Gauge16, HEURISTICS, Heuristic, Manhattan, Octile,
 };
 use super::moves::Neighbourhood;
-use super::parameters::{Form, ParameterSpec, parameters, spec};
+use super::parameters::{Field, Form, ParameterSpec, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
 use crate::error::{Error, ErrorCode};
 use crate::json;
-use crate::search::Observer;
-use crate::search::one_way;
+use crate::search::{Observer, Watch, one_way};
 #[cfg(feature = "complete")]
 use crate::search::{Recording, record_one_way};
 
@@ -98,20 +98,16 @@ impl Config {
         Self { heuristic, ..Self::DEFAULT }
     }
 
-    /// The heuristics that a form offers for a neighbourhood.
-    pub(super) const fn heuristic_spec(neighbourhood: Neighbourhood) -> &'static ParameterSpec {
-        match neighbourhood {
-            Neighbourhood::Four => &HEURISTIC_SPECS[0],
-            Neighbourhood::Eight => &HEURISTIC_SPECS[1],
-            _ => &HEURISTIC_SPECS[2],
-        }
-    }
-
     /// Checks every setting for a neighbourhood.
     ///
     /// # Errors
     /// [`ErrorCode::Config`] with the field and the rule.
     pub fn validate_for(&self, neighbourhood: Neighbourhood) -> Result<(), Error> {
+        self.check_heuristic(neighbourhood)?;
+        self.validate()
+    }
+
+    fn check_heuristic(&self, neighbourhood: Neighbourhood) -> Result<(), Error> {
         if !self.heuristic.is_admissible(neighbourhood) {
             let names = HEURISTICS.iter().filter(|h| h.is_admissible(neighbourhood)).map(|h| h.as_str());
             let rule = message!(
@@ -122,7 +118,54 @@ impl Config {
             );
             return Err(Error::new(ErrorCode::Config, "heuristic", rule));
         }
-        self.validate()
+        Ok(())
+    }
+}
+
+/// Grid A* with a neighbourhood, which is no setting.
+pub(super) struct GridAstar {
+    neighbourhood: Neighbourhood,
+    config: Config,
+}
+
+impl GridAstar {
+    pub(super) const fn new(neighbourhood: Neighbourhood) -> Self {
+        Self { neighbourhood, config: Config::new(neighbourhood) }
+    }
+}
+
+impl super::parameters::Parameters for GridAstar {
+    /// The settings with the heuristics that the neighbourhood allows.
+    fn fields(&mut self) -> Vec<Field<'_>> {
+        let own = match self.neighbourhood {
+            Neighbourhood::Four => &HEURISTIC_SPECS[0],
+            Neighbourhood::Eight => &HEURISTIC_SPECS[1],
+            _ => &HEURISTIC_SPECS[2],
+        };
+        let mut fields = self.config.fields();
+        for (spec, _) in fields.iter_mut().filter(|field| field.0.name == own.name) {
+            *spec = own;
+        }
+        fields
+    }
+
+    fn check_rules(&self) -> Result<(), Error> {
+        self.config.check_heuristic(self.neighbourhood)
+    }
+}
+
+impl GridPlanner for GridAstar {
+    fn common(&self) -> Common {
+        self.config.common
+    }
+
+    fn run(&self, at: Prepared, scratch: &mut GridScratch, watch: &mut Watch) -> GridReport {
+        plan(at.query, self.neighbourhood, &self.config, scratch, watch)
+    }
+
+    #[cfg(feature = "complete")]
+    fn record(&self, at: Prepared, limit: usize) -> Recording {
+        record(at.query, self.neighbourhood, &self.config, limit)
     }
 }
 

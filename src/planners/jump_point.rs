@@ -20,6 +20,7 @@
 
 use std::cell::Cell as Counter;
 
+use super::grid_planner::{GridPlanner, Prepared};
 use super::heuristics::octile;
 use super::moves::{D, DIRECTIONS, R2};
 use super::parameters::{Form, parameters, spec};
@@ -28,7 +29,9 @@ use super::settings::Common;
 use crate::map::{Bits, Cell};
 use crate::search::lattice::{Edge, EdgeSink, Lattice};
 use crate::search::one_way;
-use crate::search::{Considered, Legality, NodeId, Observer, PackedEntry, Part, Recording, record_one_way};
+use crate::search::{
+    Considered, Legality, NodeId, Observer, PackedEntry, Part, Recording, Watch, record_one_way,
+};
 
 parameters! {
     /// Settings of jump point search. Corners are strict.
@@ -44,6 +47,28 @@ parameters! {
     }
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN, without "corner";
+}
+
+impl GridPlanner for Config {
+    fn common(&self) -> Common {
+        self.common
+    }
+
+    fn run(&self, at: Prepared, scratch: &mut GridScratch, watch: &mut Watch) -> GridReport {
+        plan(at.query, prepared(at), self, scratch, watch)
+    }
+
+    fn record(&self, at: Prepared, limit: usize) -> Recording {
+        record(at.query, prepared(at), self, limit)
+    }
+
+    fn needs_bits(&self) -> bool {
+        true
+    }
+}
+
+fn prepared(at: Prepared<'_>) -> &Bits {
+    at.bits.expect("prepared before the search")
 }
 
 struct Jumps<'a> {
@@ -280,7 +305,7 @@ pub fn plan<O: Observer<i64, ()>>(
     let found = one_way(&jumps, query.ends(), most, &mut scratch.lattice, observer);
     let mut report = GridReport::along(&query, &found, 0);
     report.cells = stepwise(&report.cells);
-    report.cells_scanned = jumps.scanned.get();
+    report.cells_scanned = Some(jumps.scanned.get());
     report
 }
 

@@ -8,7 +8,7 @@ use crate::json::{self, Setting};
 
 /// A parameter's facts besides its type and default.
 #[derive(Clone, Copy)]
-pub(super) struct ParameterSpec {
+pub(crate) struct ParameterSpec {
     pub(super) name: &'static str,
     form: Form,
     unit: &'static str,
@@ -114,12 +114,17 @@ pub(super) const EXPANSIONS: ParameterSpec = spec(
 .within(1.0, 1e8);
 
 /// A parameter and its value in a struct of settings.
-pub(super) type Field<'a> = (&'static ParameterSpec, &'a mut dyn Setting);
+pub(crate) type Field<'a> = (&'static ParameterSpec, &'a mut dyn Setting);
 
 /// Settings that were declared by [`parameters!`].
-pub(super) trait Parameters {
+pub(crate) trait Parameters {
     /// The parameters in the order of a form, with their values.
     fn fields(&mut self) -> Vec<Field<'_>>;
+
+    /// Checks the rules that are not ranges of single parameters.
+    fn check_rules(&self) -> Result<(), Error> {
+        Ok(())
+    }
 }
 
 /// A struct's own parameters, then the shared ones but for one of them. Compiled once, for settings of every type.

@@ -61,10 +61,10 @@ pub struct GridReport {
     pub deferred: u32,
     /// Line-of-sight checks, single steps included.
     pub los_calls: u32,
-    /// Cells that bounds excluded before they were expanded (NBA*).
-    pub rejected: u32,
+    /// Cells that bounds excluded before they were expanded; only NBA* has bounds.
+    pub rejected: Option<u32>,
     /// Cells looked at along jumps (jump points).
-    pub cells_scanned: u32,
+    pub cells_scanned: Option<u32>,
     /// Largest size of the open list.
     pub open_peak: u32,
     /// The expanded cell with the smallest estimate: how near the search came. The start where nothing was searched.
@@ -132,8 +132,8 @@ impl GridReport {
             pushes: 0,
             deferred: 0,
             los_calls: 0,
-            rejected: 0,
-            cells_scanned: 0,
+            rejected: None,
+            cells_scanned: None,
             open_peak: 0,
             closest,
             bytes: 0,

@@ -5,13 +5,14 @@
 
 use serde_json::{Map, Value};
 
+use super::grid_astar::GridAstar;
 use super::grid_planner::GridPlanner;
 pub use super::info::{Family, Info, Parameter, Text};
 use super::moves::Neighbourhood;
-use super::parameters::{Field, Parameters as _, overlay, written};
+use super::parameters::{Parameters, check, overlay, written};
 #[cfg(feature = "complete")]
 use super::{any_angle, bidirectional, cost_map, dijkstra_greedy, genetic, jump_point, rrt};
-use super::{grid_astar, hybrid, risk_field};
+use super::{hybrid, risk_field};
 use crate::error::{Error, ErrorCode};
 
 /// A planner of the registry.
@@ -21,43 +22,43 @@ pub struct PlannerId(&'static Row);
 /// Every planner, in the order of menus.
 static ROWS: &[Row] = &[
     row("four", ["4-neighbour", "四邻域"], "Hart, Nilsson, Raphael 1968", || {
-        Settings::Grid(GridPlanner::around(Neighbourhood::Four))
+        grid(GridAstar::new(Neighbourhood::Four))
     }),
     row("eight", ["8-neighbour", "八邻域"], "Hart, Nilsson, Raphael 1968", || {
-        Settings::Grid(GridPlanner::around(Neighbourhood::Eight))
+        grid(GridAstar::new(Neighbourhood::Eight))
     }),
     #[cfg(feature = "complete")]
     row("sixteen", ["16-neighbour", "十六邻域"], "Yuan 2020", || {
-        Settings::Grid(GridPlanner::around(Neighbourhood::Sixteen))
+        grid(GridAstar::new(Neighbourhood::Sixteen))
     }),
     #[cfg(feature = "complete")]
     row("twenty-four", ["24-neighbour", "二十四邻域"], "Yuan 2020", || {
-        Settings::Grid(GridPlanner::around(Neighbourhood::TwentyFour))
+        grid(GridAstar::new(Neighbourhood::TwentyFour))
     }),
     #[cfg(feature = "complete")]
     row("forty-eight", ["48-neighbour", "四十八邻域"], "Yuan 2020", || {
-        Settings::Grid(GridPlanner::around(Neighbourhood::FortyEight))
+        grid(GridAstar::new(Neighbourhood::FortyEight))
     }),
     #[cfg(feature = "complete")]
     row("sixteen-bidirectional", ["From both ends", "双向搜索"], "Yuan 2020; Pijls, Post 2009", || {
-        Settings::Grid(GridPlanner::Bidirectional(bidirectional::Config::DEFAULT))
+        grid(bidirectional::Config::DEFAULT)
     }),
     #[cfg(feature = "complete")]
     row("jump-point", ["Jump points", "跳点搜索"], "Harabor, Grastien 2011", || {
-        Settings::Grid(GridPlanner::JumpPoint(jump_point::Config::DEFAULT))
+        grid(jump_point::Config::DEFAULT)
     })
     .without_costs(),
     #[cfg(feature = "complete")]
     row("any-angle", ["Any angle", "任意角（Theta*）"], "Nash, Daniel, Koenig, Felner 2007", || {
-        Settings::Grid(GridPlanner::AnyAngle(any_angle::Config::DEFAULT))
+        grid(any_angle::Config::DEFAULT)
     })
     .without_costs(),
     row("risk-field", ["Risk field", "改进A*（风险场）"], "Hu et al. 2024", || {
-        Settings::Grid(GridPlanner::RiskField(risk_field::Config::PAPER))
+        grid(risk_field::Config::PAPER)
     }),
     #[cfg(feature = "complete")]
     row("risk-field-plus", ["Risk field plus", "改进A*+（风险场）"], "Hu et al. 2024, beyond", || {
-        Settings::Grid(GridPlanner::RiskField(risk_field::Config::PLUS))
+        grid(risk_field::Config::PLUS)
     }),
     row("hybrid", ["Hybrid A*", "混合A*"], "Reverse-search hybrid A* for parking, 2025", || {
         Settings::Hybrid(hybrid::Config::DEFAULT)
@@ -87,24 +88,18 @@ static ROWS: &[Row] = &[
         || Settings::Road(cost_map::Config::DEFAULT),
     ),
     #[cfg(feature = "complete")]
-    row("dijkstra", ["Dijkstra", "Dijkstra"], "Dijkstra 1959", || {
-        Settings::Grid(GridPlanner::Dijkstra(dijkstra_greedy::Config::DEFAULT))
-    }),
+    row("dijkstra", ["Dijkstra", "Dijkstra"], "Dijkstra 1959", || grid(dijkstra_greedy::Search::DIJKSTRA)),
     #[cfg(feature = "complete")]
     row("greedy", ["Greedy best-first", "贪婪最佳优先"], "Doran, Michie 1966", || {
-        Settings::Grid(GridPlanner::Greedy(dijkstra_greedy::Config::DEFAULT))
+        grid(dijkstra_greedy::Search::GREEDY)
     })
     .without_costs(),
     #[cfg(feature = "complete")]
-    row("rrt", ["RRT", "RRT（快速扩展随机树）"], "LaValle 1998", || {
-        Settings::Grid(GridPlanner::Rrt(rrt::Config::DEFAULT))
-    })
-    .without_costs(),
+    row("rrt", ["RRT", "RRT（快速扩展随机树）"], "LaValle 1998", || grid(rrt::Config::DEFAULT))
+        .without_costs(),
     #[cfg(feature = "complete")]
-    row("genetic", ["Genetic", "遗传算法"], "Holland 1975", || {
-        Settings::Grid(GridPlanner::Genetic(genetic::Config::DEFAULT))
-    })
-    .without_costs(),
+    row("genetic", ["Genetic", "遗传算法"], "Holland 1975", || grid(genetic::Config::DEFAULT))
+        .without_costs(),
 ];
 
 struct Row {
@@ -136,10 +131,14 @@ impl Row {
 
 /// A planner's settings, by the family that runs it.
 pub(crate) enum Settings {
-    Grid(GridPlanner),
+    Grid(Box<dyn GridPlanner>),
     Hybrid(hybrid::Config),
     #[cfg(feature = "complete")]
     Road(cost_map::Config),
+}
+
+fn grid(planner: impl GridPlanner + 'static) -> Settings {
+    Settings::Grid(Box::new(planner))
 }
 
 impl Settings {
@@ -152,21 +151,12 @@ impl Settings {
         }
     }
 
-    fn fields(&mut self) -> Vec<Field<'_>> {
+    fn parameters(&mut self) -> &mut dyn Parameters {
         match self {
-            Self::Grid(planner) => planner.fields(),
-            Self::Hybrid(config) => config.fields(),
+            Self::Grid(planner) => &mut **planner,
+            Self::Hybrid(config) => config,
             #[cfg(feature = "complete")]
-            Self::Road(config) => config.fields(),
-        }
-    }
-
-    fn validate(&self) -> Result<(), Error> {
-        match self {
-            Self::Grid(planner) => planner.validate(),
-            Self::Hybrid(config) => config.validate(),
-            #[cfg(feature = "complete")]
-            Self::Road(config) => config.validate(),
+            Self::Road(config) => config,
         }
     }
 }
@@ -196,7 +186,7 @@ impl PlannerId {
 
     /// True if a risk field leads it.
     pub fn has_risk_field(self) -> bool {
-        matches!((self.0.settings)(), Settings::Grid(GridPlanner::RiskField(_)))
+        matches!((self.0.settings)(), Settings::Grid(planner) if planner.risk_field().is_some())
     }
 
     /// True if it knows that cells can cost more than others.
@@ -210,25 +200,19 @@ impl PlannerId {
     /// [`ErrorCode::Config`] with the field and the rule.
     pub(crate) fn settings(self, fields: &Map<String, Value>) -> Result<Settings, Error> {
         let mut settings = (self.0.settings)();
-        overlay(settings.fields(), fields)?;
-        settings.validate()?;
+        let parameters = settings.parameters();
+        overlay(parameters.fields(), fields)?;
+        parameters.check_rules()?;
+        check(parameters.fields())?;
         Ok(settings)
     }
 
     /// Its parameters for a form.
     fn parameters(self) -> Vec<Parameter> {
         let mut settings = (self.0.settings)();
-        let values = written(settings.fields());
-        let own = match &settings {
-            Settings::Grid(GridPlanner::Neighbours(around, _)) => {
-                Some(grid_astar::Config::heuristic_spec(*around))
-            }
-            _ => None,
-        };
-        let specs = settings
-            .fields()
-            .into_iter()
-            .map(|(spec, _)| own.filter(|own| own.name == spec.name).unwrap_or(spec));
+        let parameters = settings.parameters();
+        let values = written(parameters.fields());
+        let specs = parameters.fields().into_iter().map(|field| field.0);
         specs.filter(|spec| spec.is_listed()).map(|spec| spec.with_default(&values)).collect()
     }
 }
@@ -238,7 +222,7 @@ impl PlannerId {
 /// # Errors
 /// [`ErrorCode::UnknownPlanner`].
 pub fn default_config(id: &str) -> Result<Map<String, Value>, Error> {
-    Ok(written((PlannerId::of(id)?.0.settings)().fields()))
+    Ok(written((PlannerId::of(id)?.0.settings)().parameters().fields()))
 }
 
 /// All planners.

@@ -9,6 +9,7 @@
 //! the tree outward. The nearest cell is found by looking at the whole tree, so n expansions take O(n²).
 
 use super::Outcome;
+use super::grid_planner::grid_planner;
 use super::moves::{D, cost, euclid};
 use super::parameters::{Form, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
@@ -44,6 +45,8 @@ parameters! {
     /// The settings that all grid planners share.
     shared common: Common = SHARED;
 }
+
+grid_planner!(Config: plan, record);
 
 /// The cells of the tree, each with its parent's place in the list and its cost from the start, micro-cells.
 struct Tree {

@@ -62,7 +62,7 @@ pub fn bidirectional<L: Reversible, O: Observer<i64, ()>>(
         budget: Budget::new(max_expansions, observer),
         observer,
         stop,
-        found: Found::nothing(start),
+        found: Found { rejected: (stop == Stop::Optimal).then_some(0), ..Found::nothing(start) },
         best: (i64::MAX, start),
         nearest: far,
         last: [far; 2],
@@ -159,7 +159,7 @@ impl<L: Reversible, O: Observer<i64, ()>> Search<'_, L, O> {
         if self.best.0 < i64::MAX {
             let back = if TURN == 0 { self.lattice.to_start(node) } else { self.lattice.to_goal(node) };
             if g + h >= self.best.0 || g + self.last[1 - TURN] - back >= self.best.0 {
-                self.found.rejected += 1;
+                *self.found.rejected.get_or_insert_default() += 1;
                 return (f < self.best.0).then_some(false);
             }
         }

@@ -262,6 +262,13 @@ impl<'a> Progress<'a> {
         }
     }
 
+    /// The same, with a callback that is given the expansions.
+    #[cfg(feature = "complete")]
+    #[must_use]
+    pub fn telling(self, expansions: Option<ExpansionCallback<'a>>) -> Self {
+        Self { expansions, ..self }
+    }
+
     /// A search follows others that have expanded as many nodes.
     pub fn follow(&mut self, before: u32) {
         #[cfg(feature = "complete")]

@@ -35,8 +35,8 @@ pub struct Found {
     pub pushes: u32,
     /// Nodes whose deferred moves were tried.
     pub deferred: u32,
-    /// Nodes that a bound excluded before they were processed.
-    pub rejected: u32,
+    /// Nodes that a bound excluded before they were processed; `None` where there are no bounds.
+    pub rejected: Option<u32>,
     /// Largest number of open-list entries.
     pub open_peak: u32,
     /// The expanded node with the smallest estimate to the goal.
@@ -196,7 +196,7 @@ impl Found {
             generated: 0,
             pushes: 0,
             deferred: 0,
-            rejected: 0,
+            rejected: None,
             open_peak: 0,
             closest: start,
             bytes: 0,

@@ -218,7 +218,8 @@ fn plain_one_way<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId)) -> Fou
 
 /// With [`Stop::Optimal`] the algorithm of Pijls and Post (2009).
 fn plain_both_ways<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId), stop: Stop) -> Found {
-    let mut found = Found::nothing(start);
+    let rejected = (stop == Stop::Optimal).then_some(0);
+    let mut found = Found { rejected, ..Found::nothing(start) };
     let far = graph.estimate(0, start);
     let mut sides = [Plain::new(start, far), Plain::new(goal, far)];
     let (mut best, mut nearest, mut last) = ((i64::MAX, start), far, [far; 2]);
@@ -232,7 +233,7 @@ fn plain_both_ways<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId), stop
             sides[1 - turn].closed[node as usize] = true;
             let back = graph.estimate(1 - turn, node);
             if best.0 < i64::MAX && (f >= best.0 || g + last[1 - turn] - back >= best.0) {
-                found.rejected += 1;
+                *found.rejected.get_or_insert_default() += 1;
                 if f >= best.0 {
                     break;
                 }
@@ -334,7 +335,7 @@ fn compare<E: Entry>() {
             assert_eq!(both.nodes.windows(2).map(step).sum::<i64>(), both.cost);
             assert!(both.cost >= cheapest && (stop != Stop::Optimal || both.cost == cheapest));
             dearer += u32::from(both.cost > cheapest);
-            rejected += both.rejected;
+            rejected += both.rejected.unwrap_or_default();
         }
         // Estimates that are no lower bounds: an entry may come before all that were popped.
         let mut wrong = |_: &i64| random(4 * kinds) as i64 * unit;

@@ -109,7 +109,7 @@ fn one_side_counts_what_it_does() {
         generated: 5,
         pushes: 5,
         deferred: 0,
-        rejected: 0,
+        rejected: None,
         open_peak: 2,
         closest: 5,
         bytes: RECORDS + 2 * ENTRY,
@@ -176,7 +176,7 @@ fn two_sides_count_what_they_do() {
         generated: 10,
         pushes: 10,
         deferred: 0,
-        rejected: 0,
+        rejected: None,
         open_peak: 4,
         closest: 4,
         bytes: 2 * RECORDS + 4 * ENTRY,
@@ -186,7 +186,7 @@ fn two_sides_count_what_they_do() {
     // On a line they cannot pass each other.
     assert_eq!(found(Stop::Naive), want);
     // 4 and 6 have met at 5 by then, and nothing is cheaper.
-    let want = Found { expanded: 5, generated: 9, pushes: 9, rejected: 1, ..want };
+    let want = Found { expanded: 5, generated: 9, pushes: 9, rejected: Some(1), ..want };
     assert_eq!(found(Stop::Optimal), want);
 }
 

@@ -1,7 +1,6 @@
 //! Every setting and every planner of the registry.
 
 use super::*;
-use crate::planners::parameters::check;
 
 #[test]
 fn every_setting_is_listed_once_with_its_default() {
@@ -25,9 +24,9 @@ fn planners_take_whatever_a_form_offers() {
             for value in ends.chain(choices.iter().map(|&word| word.into())).chain([default]) {
                 let fields = Map::from_iter([(name.to_owned(), value.clone())]);
                 let mut settings = (row.settings)();
-                overlay(settings.fields(), &fields).unwrap_or_else(|e| panic!("{id}: {e}"));
-                check(settings.fields()).unwrap_or_else(|e| panic!("{id}: {e}"));
-                assert_eq!(written(settings.fields())[name], value, "{id}: {name}");
+                overlay(settings.parameters().fields(), &fields).unwrap_or_else(|e| panic!("{id}: {e}"));
+                check(settings.parameters().fields()).unwrap_or_else(|e| panic!("{id}: {e}"));
+                assert_eq!(written(settings.parameters().fields())[name], value, "{id}: {name}");
             }
         }
     }

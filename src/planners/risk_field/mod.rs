@@ -16,6 +16,7 @@ mod domain;
 mod explain;
 
 use super::grid_astar;
+use super::grid_planner::grid_planner;
 use super::heuristics::{DistanceWeight, Heuristic as GridHeuristic};
 use super::moves::Neighbourhood;
 use super::query::{Detail, GridReport, GridScratch, Query};
@@ -32,6 +33,12 @@ use config::permille;
 pub use config::{Config, Fallback, Heuristic};
 #[cfg(feature = "complete")]
 pub use explain::{Candidate, Explanation, explain};
+
+grid_planner!(Config: plan, record;
+    fn risk_field(&self) -> Option<&Config> {
+        Some(self)
+    }
+);
 
 /// Searches a path over the cells of a map.
 ///

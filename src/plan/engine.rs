@@ -1,0 +1,144 @@
+//! What each family of planners does with a scene.
+//!
+//! An engine is made once for a scene and settings. It keeps what can be prepared before a question is known, and the
+//! memory of its searches. The calls are virtual: there is one for a plan, an edit or a raster, and none inside a
+//! search.
+//!
+//! Only a plan has to be answered. A family that lacks an ability keeps the default, which answers `None` or changes
+//! nothing, and the caller says so in its error.
+
+#[cfg(feature = "complete")]
+use super::choices::Wish;
+use super::layers::LayerData;
+use super::outcome::Plan;
+use super::world::World;
+use super::{grid, hybrid};
+use crate::error::Error;
+use crate::planners::registry::{PlannerId, Settings};
+use crate::scenario::Scenario;
+#[cfg(feature = "complete")]
+use crate::search::ExpansionCallback;
+use crate::search::{Progress, Trace, Watch};
+#[cfg(feature = "complete")]
+use crate::{
+    geometry::{Point, Pose},
+    map::Cell,
+    planners::{hybrid::Last, query::GridReport, risk_field::Explanation},
+};
+
+/// Events that a trace keeps.
+const TRACE: usize = 1_000_000;
+
+/// What a caller wants of a plan besides its path.
+pub(super) struct Ask<'a> {
+    /// True to keep the search trace.
+    pub(super) is_traced: bool,
+    pub(super) progress: Option<Progress<'a>>,
+    /// Steps of the search to write down.
+    #[cfg(feature = "complete")]
+    pub(super) record: Option<usize>,
+    #[cfg(feature = "complete")]
+    pub(super) expansions: Option<ExpansionCallback<'a>>,
+    #[cfg(feature = "complete")]
+    pub(super) wish: Wish<'a>,
+}
+
+impl<'a> Ask<'a> {
+    /// The observer of a search over cells; it takes the progress.
+    pub(super) fn watch(&mut self) -> Watch<'a> {
+        let trace = self.is_traced.then(|| Trace::new(TRACE));
+        #[cfg(feature = "complete")]
+        let trace = trace.map(|trace| trace.telling(self.expansions));
+        (trace, self.progress.take())
+    }
+}
+
+/// A family's planner on one scene.
+pub(super) trait Engine: Send {
+    /// Plans between the ends of `world`. With several [goals](Engine::aim) its goal becomes the one that was reached.
+    fn plan(&mut self, scenario: &Scenario, world: &mut World, ask: Ask) -> Plan;
+
+    /// One of the rasters that only some families have ([`super::Planner::layer`]).
+    fn layer(&self, world: &World, name: &str, every: u32) -> Option<LayerData> {
+        let _ = (world, name, every);
+        None
+    }
+
+    /// The occupancy map of `world` has changed in one cell.
+    #[cfg(feature = "complete")]
+    fn cell_changed(&mut self, world: &World, cell: Cell) {
+        let _ = (world, cell);
+    }
+
+    /// The exact obstacles of `world` have changed.
+    #[cfg(feature = "complete")]
+    fn obstacles_changed(&mut self, scenario: &Scenario, world: &World) {
+        let _ = (scenario, world);
+    }
+
+    /// Takes several goals for the next plan and returns true, or false if the family has to try one after another. Of a
+    /// sample of goals those that lack the margin are left out, but not all of them.
+    #[cfg(feature = "complete")]
+    fn aim(&mut self, world: &World, goals: &[Pose], is_sample: bool) -> bool {
+        let _ = (world, goals, is_sample);
+        false
+    }
+
+    /// The search over cells alone.
+    #[cfg(feature = "complete")]
+    fn search(&mut self, world: &World, ends: [Pose; 2]) -> Option<GridReport> {
+        let _ = (world, ends);
+        None
+    }
+
+    /// The any-angle yardstick between the ends of `world`, metres.
+    #[cfg(feature = "complete")]
+    fn any_angle_length(&self, world: &World) -> Option<f64> {
+        let _ = world;
+        None
+    }
+
+    /// The risk field at the cell of a point; also `None` off the map and in blocked cells.
+    #[cfg(feature = "complete")]
+    fn explain(&self, world: &World, at: Point) -> Option<Explanation> {
+        let _ = (world, at);
+        None
+    }
+
+    /// The path that the next plan may stay with.
+    #[cfg(feature = "complete")]
+    fn last(&mut self) -> Option<&mut Option<Last>> {
+        None
+    }
+
+    /// Makes a path the last one: its poses, one at least, their gears and curvatures.
+    #[cfg(feature = "complete")]
+    fn continue_along(&mut self, poses: &[Pose], gears: &[i8], curvatures: &[f64]) {
+        let _ = (poses, gears, curvatures);
+    }
+}
+
+/// The engine of a planner's family on a scene.
+///
+/// # Errors
+/// [`crate::error::ErrorCode`] `Config` or `Input` where the family refuses the scene.
+pub(super) fn engine(
+    planner: PlannerId,
+    settings: Settings,
+    scenario: &Scenario,
+    world: &World,
+) -> Result<Box<dyn Engine>, Error> {
+    #[cfg(not(feature = "complete"))]
+    let _ = scenario;
+    Ok(match settings {
+        Settings::Grid(search) => Box::new(grid::GridEngine::new(world, planner, search)?),
+        Settings::Hybrid(config) => Box::new(hybrid::HybridEngine::new(
+            world,
+            #[cfg(feature = "complete")]
+            planner,
+            config,
+        )?),
+        #[cfg(feature = "complete")]
+        Settings::Road(config) => Box::new(super::road::RoadEngine::new(scenario, world, config)),
+    })
+}
