@@ -42,7 +42,7 @@ fn main() {
             arcs::length(&report.arcs),
             arcs::direction_changes(&report.arcs),
             clearance(&query, &report),
-            report.expanded,
+            report.stats.expanded,
             report.level,
             report.collision_checks,
             if report.arcs.is_empty() { format!(" {:?}", report.status) } else { String::new() },

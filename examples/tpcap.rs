@@ -141,7 +141,7 @@ fn entry(group: &str, name: &str, scene: &Scenario) -> Value {
         "verdict": plan.check.verdict.as_str(),
             "length": plan.metrics.length, "changes": plan.metrics.direction_changes,
         "clearance": plan.metrics.min_clearance, "bound": report.rs_bound, "level": report.level,
-        "margin": report.margin, "expanded": report.expanded,
+        "margin": report.margin, "expanded": report.stats.expanded,
         "prepare": prepare, "query": query,
         "best": best.map(|b| json!({
             "length": b.1, "changes": b.2, "milliseconds": b.3, "lengthOfFewest": length_of_fewest,
@@ -165,7 +165,7 @@ fn row(name: &str, scene: &Scenario, config: &Map<String, Value>) -> f64 {
         whole.metrics.min_clearance,
         report.level,
         report.margin,
-        report.expanded,
+        report.stats.expanded,
         best.map_or(String::from("–"), |b| b.3.to_string()),
         whole.reason.unwrap_or_default(),
     );

@@ -112,7 +112,7 @@ struct Figures {
 fn figures(map: &Occupancy, scratch: &mut GridScratch) -> Figures {
     let eight = astar(map, Neighbourhood::Eight, Weight::None, scratch);
     let weighted = astar(map, Neighbourhood::Eight, Weight::Distance, scratch);
-    let generated = |report: &GridReport| f64::from(report.generated);
+    let generated = |report: &GridReport| f64::from(report.stats.generated);
     let pruned = |report: &GridReport| length(&prune(map, &report.cells, STRICT));
     let faithful = risk(map, &risk_field::Config::PAPER, scratch);
     let plus = risk(map, &risk_field::Config::PLUS, scratch);
@@ -224,7 +224,7 @@ fn costs_agree(map: &Occupancy, scratch: &mut GridScratch) -> BesideSixteen {
             let [first, best, optimal] = [0, 1, 2].map(|k: usize| both[k].cost_micro);
             assert_eq!(optimal, report.cost_micro);
             assert!(report.cost_micro <= best && best <= first);
-            assert_eq!(both[0].expanded, both[1].expanded);
+            assert_eq!(both[0].stats.expanded, both[1].stats.expanded);
             both
         })
         .collect();
@@ -237,7 +237,7 @@ fn costs_agree(map: &Occupancy, scratch: &mut GridScratch) -> BesideSixteen {
     }
     let [_, eight, sixteen, ..] = reports;
     let over = |report: &GridReport| length(&report.cells) / length(&sixteen.cells);
-    let work = |report: &GridReport| f64::from(report.expanded) / f64::from(sixteen.expanded);
+    let work = |report: &GridReport| f64::from(report.stats.expanded) / f64::from(sixteen.stats.expanded);
     BesideSixteen {
         length: length(&sixteen.cells) / length(&eight.cells),
         turning: turns(&sixteen.cells).angle_deg / turns(&eight.cells).angle_deg,

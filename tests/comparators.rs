@@ -47,7 +47,7 @@ fn dijkstra_costs_as_a_star_and_expands_no_less() {
             assert_eq!((report.outcome, report.cost_micro), (star.outcome, star.cost_micro));
             if report.outcome == Outcome::Found {
                 check_path(query, corner, &report);
-                (more, asked) = (more + u32::from(report.expanded > star.expanded), asked + 1);
+                (more, asked) = (more + u32::from(report.stats.expanded > star.stats.expanded), asked + 1);
             }
         }
     }
@@ -69,9 +69,11 @@ fn greedy_finds_a_path_wherever_there_is_one_and_seldom_the_cheapest() {
             assert_eq!((report.outcome, report.detail), (best.outcome, best.detail));
             if report.outcome == Outcome::Found {
                 check_path(query, corner, &report);
-                assert!(report.cost_micro >= best.cost_micro && report.generated <= best.generated);
+                assert!(
+                    report.cost_micro >= best.cost_micro && report.stats.generated <= best.stats.generated
+                );
                 // No cell is taken up twice: a move costs nothing, so the first way to a cell stays.
-                assert_eq!(report.pushes, report.generated);
+                assert_eq!(report.stats.pushes, report.stats.generated);
                 (dearer, asked) = (dearer + u32::from(report.cost_micro > best.cost_micro), asked + 1);
             }
         }

@@ -270,11 +270,11 @@ fn questions_without_a_search() {
         (Cell::new(0, -1), corner, Outcome::StartOutside),
     ] {
         let report = ask(start, goal);
-        assert_eq!((report.outcome, report.expanded, report.generated), (outcome, 0, 0));
+        assert_eq!((report.outcome, report.stats.expanded, report.stats.generated), (outcome, 0, 0));
         assert!(report.cells.is_empty());
     }
     let here = ask(corner, corner);
-    assert_eq!((here.outcome, here.expanded, here.generated), (Outcome::Found, 0, 1));
+    assert_eq!((here.outcome, here.stats.expanded, here.stats.generated), (Outcome::Found, 0, 1));
     assert_eq!(here.cells, [corner]);
 }
 
@@ -287,7 +287,7 @@ fn small_and_empty_maps() {
     let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(11, 11) };
     let mut trace = Trace::new(5);
     let report = grid_astar::plan(query, eight, &octile, &mut GridScratch::new(), &mut trace);
-    assert_eq!((report.expanded, report.cost_micro), (12, 11 * 1_414_214));
+    assert_eq!((report.stats.expanded, report.cost_micro), (12, 11 * 1_414_214));
     assert_eq!((trace.expanded, trace.dropped), (vec![0, 13, 26, 39, 52], 7));
 
     for (width, height) in [(9, 1), (1, 9)] {
@@ -300,7 +300,10 @@ fn small_and_empty_maps() {
 
     let budget = Config { common: Common { max_expansions: 3, ..Common::PLAIN }, ..octile };
     let report = grid_astar::plan(query, eight, &budget, &mut GridScratch::new(), &mut ());
-    assert_eq!((report.outcome, report.expanded, report.closest), (Outcome::BudgetSpent, 3, Cell::new(2, 2)));
+    assert_eq!(
+        (report.outcome, report.stats.expanded, report.closest),
+        (Outcome::BudgetSpent, 3, Cell::new(2, 2))
+    );
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

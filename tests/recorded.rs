@@ -60,8 +60,8 @@ fn equals_the_planner(report: &GridReport, events: &Events, r: &Recording) {
     }
     assert_eq!(relaxed, events.relaxed);
     assert_eq!(
-        (r.expanded, r.generated, r.pushes, r.open_peak),
-        (report.expanded, report.generated, report.pushes, report.open_peak)
+        (r.stats.expanded, r.stats.generated, r.stats.pushes, r.stats.open_peak),
+        (report.stats.expanded, report.stats.generated, report.stats.pushes, report.stats.open_peak)
     );
 }
 
@@ -190,7 +190,7 @@ fn jumps_and_plain_searches_are_recorded_as_they_are() {
         let r = dijkstra_greedy::record_dijkstra(query, &config, usize::MAX);
         follows_the_rules(&r, roots(query));
         knows_the_map(&r, query, config.neighbours, config.common.corner);
-        assert_eq!((r.expanded, r.generated), (report.expanded, report.generated));
+        assert_eq!((r.stats.expanded, r.stats.generated), (report.stats.expanded, report.stats.generated));
     });
 }
 
@@ -236,8 +236,8 @@ fn any_angle_searches_are_recorded_as_they_are() {
         let taken = r.fates.iter().filter(|&&fate| fate % PAST < 2).count();
         assert_eq!(taken, events.relaxed.len());
         assert_eq!(
-            (r.expanded, r.generated, r.pushes, r.open_peak),
-            (report.expanded, report.generated, report.pushes, report.open_peak)
+            (r.stats.expanded, r.stats.generated, r.stats.pushes, r.stats.open_peak),
+            (report.stats.expanded, report.stats.generated, report.stats.pushes, report.stats.open_peak)
         );
         follows_the_rules(&r, roots(query));
         knows_the_map(&r, query, Neighbourhood::Eight, corner);

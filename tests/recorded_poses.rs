@@ -123,8 +123,8 @@ fn searches_for_a_car_are_recorded_as_they_are() {
         assert_eq!(plan.stats.collision_checks, plain.stats.collision_checks);
         let Some(Recorded::Poses(poses)) = plan.recorded.as_deref() else { continue };
         let r = &poses.recording;
-        assert_eq!(r.expanded as usize, r.nodes.len());
-        assert!(r.expanded <= plan.stats.expanded);
+        assert_eq!(r.stats.expanded as usize, r.nodes.len());
+        assert!(r.stats.expanded <= plan.stats.expanded);
         follows_the_rules(poses, ends, scene.geometry().unwrap().vehicle.min_turning_radius());
         steps += r.nodes.len();
         blocked += poses.owners.iter().filter(|&&owner| owner != PoseRecording::NOBODY).count();

@@ -113,7 +113,7 @@ fn searches_for_a_road_are_recorded_as_they_are() {
         assert_eq!(&r.nodes, cells);
         let stats = &plan.stats;
         assert_eq!(
-            [r.expanded, r.generated, r.pushes, r.open_peak],
+            [r.stats.expanded, r.stats.generated, r.stats.pushes, r.stats.open_peak],
             [stats.expanded, stats.generated, stats.pushes, stats.open_peak]
         );
         if r.nodes.is_empty() {
@@ -139,7 +139,7 @@ fn of_several_searches_the_last_is_recorded() {
         let (plan, r, _) = recorded(&scene, &json!({ "margin": HALF_WIDTH }), usize::MAX);
         let Some(PlanTrace::Cells { cells, .. }) = &plan.trace else { panic!("no trace") };
         assert_eq!(plan.stats.expanded as usize, cells.len());
-        assert_eq!(r.expanded as usize, r.nodes.len());
+        assert_eq!(r.stats.expanded as usize, r.nodes.len());
         assert!(cells.ends_with(&r.nodes));
         several += usize::from(cells.len() > r.nodes.len() && !r.nodes.is_empty());
         if !r.nodes.is_empty() {
@@ -154,5 +154,5 @@ fn a_limit_cuts_the_recording_of_a_road() {
     let scene = random_scene(&mut SplitMix64::new(5), false);
     let [whole, part] = [usize::MAX, 20].map(|limit| recorded(&scene, &json!({}), limit).1);
     assert!(part.is_cut && !whole.is_cut);
-    assert_eq!((&part.nodes[..], part.expanded), (&whole.nodes[..20], whole.expanded));
+    assert_eq!((&part.nodes[..], part.stats.expanded), (&whole.nodes[..20], whole.stats.expanded));
 }

@@ -57,8 +57,8 @@ fn trees_are_recorded_as_they_grow() {
         let report = rrt::plan(query, &config, &mut GridScratch::new(), &mut events);
         let r = rrt::record(query, &config, usize::MAX);
         assert_eq!(
-            [r.expanded, r.generated, r.pushes, r.open_peak],
-            [report.expanded, report.generated, report.pushes, report.open_peak]
+            [r.stats.expanded, r.stats.generated, r.stats.pushes, r.stats.open_peak],
+            [report.stats.expanded, report.stats.generated, report.stats.pushes, report.stats.open_peak]
         );
         let map = query.map;
         let start = map.index(query.start);
@@ -111,7 +111,7 @@ fn candidates_are_recorded_with_their_legs() {
         let mut events = Expanded::default();
         let report = genetic::plan(query, &config, &mut GridScratch::new(), &mut events);
         let r = genetic::record(query, &config, usize::MAX);
-        assert_eq!([r.expanded, r.open_peak], [report.expanded, report.open_peak]);
+        assert_eq!([r.stats.expanded, r.stats.open_peak], [report.stats.expanded, report.stats.open_peak]);
         let fitness: Vec<_> = r.f.iter().map(|&f| f as i64).collect();
         assert_eq!(fitness, events.0.iter().map(|one| one.1).collect::<Vec<_>>());
         let mut best = None;
@@ -153,7 +153,7 @@ fn a_limit_cuts_them() {
     });
     for (part, whole) in [(&part.0, &whole.0), (&part.1, &whole.1)] {
         assert!(part.is_cut && !whole.is_cut);
-        assert_eq!((&part.nodes[..], part.expanded), (&whole.nodes[..5], whole.expanded));
+        assert_eq!((&part.nodes[..], part.stats.expanded), (&whole.nodes[..5], whole.stats.expanded));
         assert_eq!(part.first.last().copied(), Some(part.targets.len() as u32));
     }
 }

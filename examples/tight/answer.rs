@@ -50,7 +50,7 @@ impl Answer {
             _ => Ending::Failed,
         };
         let changes = arcs::direction_changes(&report.arcs);
-        let (margin, expanded, checks) = (report.margin, report.expanded, report.collision_checks);
+        let (margin, expanded, checks) = (report.margin, report.stats.expanded, report.collision_checks);
         Self { ending, changes, margin, milliseconds, expanded, checks }
     }
 

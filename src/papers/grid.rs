@@ -199,8 +199,8 @@ fn figures_of(map: &Occupancy, report: &GridReport) -> Result<[f64; COLUMNS.len(
     let corners = turns(raw);
     let room = clearance(map, &polyline(raw));
     Ok([
-        f64::from(report.generated),
-        f64::from(report.expanded),
+        f64::from(report.stats.generated),
+        f64::from(report.stats.expanded),
         length(raw),
         length(&pruned),
         length(&prune_dp(map, raw, Corner::Strict)),

@@ -101,7 +101,7 @@ impl Engine for GridEngine {
             trace.flush();
         }
         if let Some(progress) = &mut watch.1 {
-            progress.finish(report.expanded);
+            progress.finish(report.stats.expanded);
         }
         let finish = Finish { world, rasters: &self.rasters, settings: self.settings, report: &report };
         let mut plan = finish.plan(watch.0.is_some());
@@ -216,7 +216,7 @@ impl Finish<'_> {
         }
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = stats(report);
-        plan.stats.memory_bytes = report.bytes + self.rasters.bytes(world) as u64;
+        plan.stats.memory_bytes += self.rasters.bytes(world) as u64;
         if report.outcome == Outcome::Found {
             plan.metrics.grid = Some(self.metrics(&pruned, &shortest, &smoothed, &pieces));
             #[cfg(feature = "complete")]
@@ -295,12 +295,12 @@ impl Finish<'_> {
                 format!("The start {} is inside an obstacle{space}.", at(geometry.start))
             }
             Outcome::GoalBlocked => format!("The goal {} is inside an obstacle{space}.", at(geometry.goal)),
-            Outcome::BudgetSpent => format!("Stopped after {} expansions.", self.report.expanded),
+            Outcome::BudgetSpent => format!("Stopped after {} expansions.", self.report.stats.expanded),
             #[cfg(feature = "complete")]
             Outcome::NoPath if self.report.detail == Some(Detail::Stranded) => {
                 format!(
                     "There is a path, but this rule missed it: {} cells were searched.",
-                    self.report.expanded
+                    self.report.stats.expanded
                 )
             }
             Outcome::NoPath => {
@@ -308,7 +308,7 @@ impl Finish<'_> {
                 format!(
                     "No way through: all {} cells that can be reached were searched; the nearest to the goal is \
                      ({:.2}, {:.2}).",
-                    self.report.generated, near.x, near.y
+                    self.report.stats.generated, near.x, near.y
                 )
             }
         })
@@ -318,13 +318,9 @@ impl Finish<'_> {
 /// The counters that all grid planners have. The cost is told only where there is a path.
 fn stats(report: &GridReport) -> Stats {
     Stats {
-        expanded: report.expanded,
-        generated: report.generated,
-        pushes: report.pushes,
-        open_peak: report.open_peak,
         deferred: Some(report.deferred),
         los_calls: Some(report.los_calls),
         cost_micro: (report.outcome == Outcome::Found).then_some(report.cost_micro),
-        ..Stats::default()
+        ..Stats::of(report.stats)
     }
 }

@@ -99,7 +99,7 @@ impl HybridEngine {
         let (world, geometry) = (&*world, &world.geometry);
         let query = self::query(&self.obstacles, geometry);
         if let Some(progress) = progress {
-            progress.finish(report.expanded);
+            progress.finish(report.stats.expanded);
         }
         let mut found = matches!(report.status, Status::Found | Status::Suboptimal);
         let driven = if found { drive(&query, &report) } else { Driven::default() };
@@ -176,7 +176,7 @@ impl HybridEngine {
     #[cfg(feature = "complete")]
     fn member(report: &Report) -> Option<Member> {
         let (xy_resolution, heading_resolution) = report.resolution;
-        (report.expanded > 0).then_some(Member {
+        (report.stats.expanded > 0).then_some(Member {
             level: report.level,
             from_goal: report.from_goal,
             xy_resolution,
@@ -239,7 +239,7 @@ impl HybridEngine {
             last = hybrid::choices(&query, (&config, goals), (&first, prefer), memory, &mut offer);
         }
         if let Some(progress) = progress {
-            progress.finish(last.expanded);
+            progress.finish(last.stats.expanded);
         }
         let mut plan = choosing.conclude(&stats(&last));
         world.geometry.goal = plan.path.last().copied().unwrap_or(world.geometry.goal);

@@ -38,7 +38,10 @@ pub(super) fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) 
             format!("The car is boxed in at the {end}: it can move {travel:.2} m in all.")
         }
         Status::BudgetExhausted(left) => {
-            format!("Stopped after {} expansions, {left:.1} m short of the goal.{near}", report.expanded)
+            format!(
+                "Stopped after {} expansions, {left:.1} m short of the goal.{near}",
+                report.stats.expanded
+            )
         }
         Status::VerificationFailed => "Every path found touches something between two checks.".to_owned(),
     })
@@ -86,15 +89,10 @@ pub(super) fn detail(status: Status) -> Option<&'static str> {
 
 pub(super) fn stats(report: &Report) -> Stats {
     Stats {
-        expanded: report.expanded,
-        generated: report.generated,
-        pushes: report.pushes,
-        open_peak: report.open_peak,
-        memory_bytes: report.bytes,
-        expansions: Some(report.expanded),
+        expansions: Some(report.stats.expanded),
         collision_checks: Some(report.collision_checks),
         level: Some(report.level),
-        ..Stats::default()
+        ..Stats::of(report.stats)
     }
 }
 

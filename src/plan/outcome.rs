@@ -31,6 +31,7 @@ use crate::planners::hybrid::PoseRecording;
 use crate::scenario::GoalPose;
 #[cfg(feature = "complete")]
 use crate::search::Recording;
+use crate::search::SearchStats;
 
 /// Counters of the search.
 ///
@@ -84,6 +85,13 @@ pub struct Stats {
     /// Hybrid A*: level of the portfolio that gave the path, or was tried last.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub level: Option<u32>,
+}
+
+impl Stats {
+    /// The counters that every planner has.
+    pub(super) fn of(SearchStats { expanded, generated, pushes, open_peak, bytes }: SearchStats) -> Self {
+        Self { expanded, generated, pushes, open_peak, memory_bytes: bytes, ..Self::default() }
+    }
 }
 
 /// Figures of the path.

@@ -139,8 +139,8 @@ impl Planner {
             outcome: report.outcome,
             path: report.cells.iter().map(|&cell| self.world.frame.center(cell)).collect(),
             cost_micro: report.cost_micro,
-            expanded: report.expanded,
-            generated: report.generated,
+            expanded: report.stats.expanded,
+            generated: report.stats.generated,
         })
     }
 

@@ -26,7 +26,7 @@ use crate::planners::cost_map::{
     is_excluded, kerb_distances, paper_spline, plan, record,
 };
 use crate::scenario::Scenario;
-use crate::search::Trace;
+use crate::search::{SearchStats, Trace};
 
 /// A path of more poses than this is sampled less often.
 const MAX_POSES: f64 = 50_000.0;
@@ -137,12 +137,12 @@ impl Engine for RoadEngine {
             watch.0 = before.as_mut().map(Trace::restart);
             let next = self::plan(&self.query(world, true), &self.config, &mut scratch, &mut watch);
             watch.0 = before.zip(watch.0.take()).map(|(before, after)| before.followed_by(after));
-            let expanded = report.expanded + next.expanded;
-            report = Report { expanded, ..next };
+            let expanded = report.stats.expanded + next.stats.expanded;
+            report = Report { stats: SearchStats { expanded, ..next.stats }, ..next };
             (line, plan) = self.driven(world, &report);
         }
         if let Some(progress) = &mut watch.1 {
-            progress.finish(report.expanded);
+            progress.finish(report.stats.expanded);
         }
         if let Some(trace) = &mut watch.0 {
             trace.flush();
@@ -159,7 +159,7 @@ impl Engine for RoadEngine {
         plan.detail = line.fell_back.then_some("smoothing-fell-back");
         plan.reason = reason(&query, &report);
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
-        plan.stats = stats(&report);
+        plan.stats = Stats::of(report.stats);
         if found {
             let margin = self.config.kept();
             let kept = kept(world, &plan, margin).min(margin);
@@ -179,7 +179,7 @@ impl Engine for RoadEngine {
                 margin,
                 margin_kept: kept,
                 margin_excluded: is_short && is_excluded(&self.ground, middles(world), needed, ENDS, &fit),
-                bytes: report.bytes as u64,
+                bytes: report.stats.bytes,
                 figures,
             });
         }
@@ -310,21 +310,10 @@ fn reason(query: &Query, report: &Report) -> Option<String> {
         Outcome::Found => return None,
         Outcome::StartBlocked | Outcome::StartOutside => room("start", query.start),
         Outcome::GoalBlocked | Outcome::GoalOutside => room("goal", query.goal),
-        Outcome::BudgetSpent => format!("Stopped after {} expansions.", report.expanded),
+        Outcome::BudgetSpent => format!("Stopped after {} expansions.", report.stats.expanded),
         Outcome::NoPath => format!(
             "No way through: all {} cells that can be reached with {:.2} m of room to each side were searched.",
-            report.generated, query.radius
+            report.stats.generated, query.radius
         ),
     })
-}
-
-fn stats(report: &Report) -> Stats {
-    Stats {
-        expanded: report.expanded,
-        generated: report.generated,
-        pushes: report.pushes,
-        open_peak: report.open_peak,
-        memory_bytes: report.bytes as u64,
-        ..Stats::default()
-    }
 }

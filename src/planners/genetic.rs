@@ -17,7 +17,7 @@ use super::settings::Common;
 use crate::geometry::math::sorted_by;
 use crate::map::{Cell, line_of_sight};
 use crate::scenario::generate::SplitMix64;
-use crate::search::{Budget, Fate, Observer, Recording, StepKind};
+use crate::search::{Budget, Fate, Observer, Recording, SearchStats, StepKind};
 
 /// An expansion is a candidate and its fitness, which looks at every cell along its path.
 const SHARED: Common = Common { max_expansions: 20_000, ..Common::PLAIN };
@@ -118,7 +118,7 @@ pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
         let legs: Vec<_> = legs.collect();
         out.add(limit, (StepKind::Candidate, index(query.start), [candidate.fitness, 0]), &legs);
     });
-    out.counted([report.expanded, report.generated, report.pushes, report.open_peak])
+    out.counted(report.stats)
 }
 
 fn evolve<O: Observer<i64, ()>>(
@@ -279,12 +279,14 @@ impl Evolution<'_> {
         GridReport {
             cells: found.map_or_else(Vec::new, |candidate| legs(&self.query, &candidate.genes)),
             cost_micro: found.map_or(0, |candidate| candidate.fitness),
-            expanded,
-            generated: expanded,
-            pushes: expanded,
+            stats: SearchStats {
+                expanded,
+                generated: expanded,
+                pushes: expanded,
+                open_peak: self.config.population,
+                bytes: 2 * u64::from(self.config.population) * candidate as u64,
+            },
             los_calls: self.los_calls,
-            open_peak: self.config.population,
-            bytes: 2 * u64::from(self.config.population) * candidate as u64,
             ..GridReport::empty(outcome, self.query.start)
         }
     }
@@ -348,7 +350,7 @@ mod tests {
         let map = Occupancy::parse("..#..\n..#..\n..#..");
         let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(4, 2) };
         let report = plan(query, &Config::default(), &mut GridScratch::new(), &mut ());
-        assert_eq!((report.outcome, report.expanded), (Outcome::BudgetSpent, 20_000));
+        assert_eq!((report.outcome, report.stats.expanded), (Outcome::BudgetSpent, 20_000));
         assert!(report.cells.is_empty());
     }
 }

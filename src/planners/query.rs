@@ -5,8 +5,7 @@
 
 use super::Outcome;
 use crate::map::{Cell, Occupancy};
-use crate::search::Found;
-use crate::search::{NodeId, PackedEntry, PackedScratch, WideEntry};
+use crate::search::{Found, NodeId, PackedEntry, PackedScratch, SearchStats, WideEntry};
 #[cfg(feature = "complete")]
 use crate::search::{Report, Scratch};
 
@@ -51,12 +50,8 @@ pub struct GridReport {
     pub cells: Vec<Cell>,
     /// Sum of the moves' integer costs, micro-cells; 0 where there is no path.
     pub cost_micro: i64,
-    /// Cells taken from the open list and processed, the goal and second expansions included.
-    pub expanded: u32,
-    /// Distinct cells that ever entered the open list, the start included.
-    pub generated: u32,
-    /// All insertions into the open list.
-    pub pushes: u32,
+    /// The counters of the search; bytes are those of its cells and open list.
+    pub stats: SearchStats,
     /// Expansions of moves that were held back (risk field).
     pub deferred: u32,
     /// Line-of-sight checks, single steps included.
@@ -65,12 +60,8 @@ pub struct GridReport {
     pub rejected: Option<u32>,
     /// Cells looked at along jumps (jump points).
     pub cells_scanned: Option<u32>,
-    /// Largest size of the open list.
-    pub open_peak: u32,
     /// The expanded cell with the smallest estimate: how near the search came. The start where nothing was searched.
     pub closest: Cell,
-    /// Bytes of what the search kept of its cells, and of its open list at its largest.
-    pub bytes: u64,
 }
 
 /// A grid search's memory, reused between queries.
@@ -113,7 +104,7 @@ impl Query<'_> {
         let mut report = GridReport::empty(outcome, self.start);
         if outcome == Outcome::Found {
             report.cells = vec![self.start];
-            report.generated = 1;
+            report.stats.generated = 1;
         }
         Some(report)
     }
@@ -127,16 +118,12 @@ impl GridReport {
             detail: None,
             cells: Vec::new(),
             cost_micro: 0,
-            expanded: 0,
-            generated: 0,
-            pushes: 0,
+            stats: SearchStats::default(),
             deferred: 0,
             los_calls: 0,
             rejected: None,
             cells_scanned: None,
-            open_peak: 0,
             closest,
-            bytes: 0,
         }
     }
 
@@ -149,13 +136,10 @@ impl GridReport {
         los_calls: u32,
     ) -> Self {
         let outcome = Outcome::from(search.end);
+        let bytes = Scratch::<f64, Cell>::bytes(query.map.len(), search.stats.open_peak) as u64;
         let mut report = Self {
-            expanded: search.expanded,
-            generated: search.generated,
-            pushes: search.pushes,
+            stats: SearchStats { bytes, ..search.stats },
             los_calls,
-            open_peak: search.open_peak,
-            bytes: Scratch::<f64, Cell>::bytes(query.map.len(), search.open_peak) as u64,
             detail: (outcome == Outcome::NoPath).then_some(Detail::Unreachable),
             ..Self::empty(outcome, query.map.cell(search.closest.1))
         };
@@ -171,14 +155,10 @@ impl GridReport {
         Self {
             cells: found.nodes.iter().map(|&node| query.map.cell(node)).collect(),
             cost_micro: found.cost,
-            expanded: found.expanded,
-            generated: found.generated,
-            pushes: found.pushes,
+            stats: found.stats,
             deferred: found.deferred,
             rejected: found.rejected,
             los_calls,
-            open_peak: found.open_peak,
-            bytes: found.bytes,
             detail: (outcome == Outcome::NoPath).then_some(Detail::Unreachable),
             ..Self::empty(outcome, query.map.cell(found.closest))
         }

@@ -16,7 +16,7 @@ use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use crate::map::{Cell, line_of_sight};
 use crate::scenario::generate::SplitMix64;
-use crate::search::{Budget, Fate, Observer, Recording, StepKind};
+use crate::search::{Budget, Fate, Observer, Recording, SearchStats, StepKind};
 
 /// Each expansion looks at the whole tree, so the default is far below that of the other searches.
 const SHARED: Common = Common { max_expansions: 20_000, ..Common::PLAIN };
@@ -137,7 +137,7 @@ pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
     if report.outcome == Outcome::Found {
         out.add(limit, (StepKind::Goal, index(query.goal), [report.cost_micro, 0]), &[]);
     }
-    out.counted([report.expanded, report.generated, report.pushes, report.open_peak])
+    out.counted(report.stats)
 }
 
 /// An expansion: the cell that was drawn, the place of the tree's nearest, the end of the leg and what became of it.
@@ -222,16 +222,19 @@ fn leg(from: Cell, towards: Cell, step: f64) -> Cell {
 fn report(query: &Query, tree: &Tree, outcome: Outcome, [expanded, los_calls]: [u32; 2]) -> GridReport {
     let found = outcome == Outcome::Found;
     let size = tree.cells.len();
+    let nodes = size as u32;
     let bytes = query.map.len() + size * (size_of::<Cell>() + size_of::<u32>() + size_of::<i64>());
     GridReport {
         cells: if found { tree.path() } else { Vec::new() },
         cost_micro: if found { tree.costs[size - 1] } else { 0 },
-        expanded,
-        generated: size as u32,
-        pushes: size as u32,
+        stats: SearchStats {
+            expanded,
+            generated: nodes,
+            pushes: nodes,
+            open_peak: nodes,
+            bytes: bytes as u64,
+        },
         los_calls,
-        open_peak: size as u32,
-        bytes: bytes as u64,
         ..GridReport::empty(outcome, tree.cells[tree.nearest(query.goal)])
     }
 }
@@ -274,8 +277,8 @@ mod tests {
         let map = Occupancy::new(20, 3);
         let query = Query { map: &map, start: Cell::new(0, 1), goal: Cell::new(17, 1) };
         let report = plan(query, &config, &mut GridScratch::new(), &mut ());
-        assert_eq!((report.expanded, report.cost_micro), (4, 17 * D));
+        assert_eq!((report.stats.expanded, report.cost_micro), (4, 17 * D));
         let stuck = around_a_wall(&config);
-        assert_eq!((stuck.outcome, stuck.expanded), (Outcome::BudgetSpent, 20_000));
+        assert_eq!((stuck.outcome, stuck.stats.expanded), (Outcome::BudgetSpent, 20_000));
     }
 }

@@ -10,7 +10,7 @@
 //! for each entry at worst; the buckets of the open list make most insertions constant.
 
 use super::open_list::Kind;
-use super::{Budget, Cost, Domain, End, NodeId, Observer, Scratch, Tree};
+use super::{Budget, Cost, Domain, End, NodeId, Observer, Scratch, SearchStats, Tree};
 
 /// When to stop short of the cheapest completion.
 #[derive(Debug, Clone, Copy)]
@@ -28,14 +28,8 @@ pub struct Report<C, T> {
     pub end: End,
     /// The best completion: last node, total cost, tail.
     pub found: Option<(NodeId, C, T)>,
-    /// Nodes taken from the open list and processed, second expansions included.
-    pub expanded: u32,
-    /// Distinct nodes that ever entered the open list, the root included.
-    pub generated: u32,
-    /// All insertions into the open list.
-    pub pushes: u32,
-    /// Largest size of the open list.
-    pub open_peak: u32,
+    /// Its counters, without the bytes.
+    pub stats: SearchStats,
     /// The smallest heuristic value of an expanded node, and that node: how close the search came.
     pub closest: (C, NodeId),
 }
@@ -53,15 +47,8 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
     observer: &mut O,
 ) -> Report<D::Cost, D::Tail> {
     let mut tree = Tree::new(domain, root, scratch);
-    let mut report = Report {
-        end: End::Exhausted,
-        found: None,
-        expanded: 0,
-        generated: 0,
-        pushes: 0,
-        open_peak: 0,
-        closest: tree.closest,
-    };
+    let mut report =
+        Report { end: End::Exhausted, found: None, stats: SearchStats::default(), closest: tree.closest };
     let mut best = D::Cost::MAX;
     let mut budget = Budget::new(limits.max_expansions, observer);
     while let Some(entry) = tree.pop() {
@@ -69,12 +56,12 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
             report.end = End::Found;
             break;
         }
-        if budget.is_spent(report.expanded, observer) {
+        if budget.is_spent(report.stats.expanded, observer) {
             report.end = End::BudgetSpent;
             break;
         }
         let at = tree.close(&entry, observer);
-        report.expanded += 1;
+        report.stats.expanded += 1;
         if let Some(finish) = tree.complete(at, best) {
             best = at.g + finish.cost;
             report.found = Some((at.node, best, finish.tail));
@@ -86,9 +73,8 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
         }
         tree.expand(at, best, observer);
     }
-    (report.generated, report.closest) = (tree.generated, tree.closest);
-    report.pushes = tree.scratch.open.pushes();
-    report.open_peak = tree.scratch.open.peak() as u32;
+    report.stats = SearchStats { expanded: report.stats.expanded, ..tree.stats() };
+    report.closest = tree.closest;
     report
 }
 
@@ -138,25 +124,25 @@ mod tests {
     fn finds_the_target_and_counts_it() {
         let mut scratch = Scratch::new();
         let report = best_first(&mut Line { n: 10, target: 7 }, (3, ()), LIMITS, &mut scratch, &mut ());
-        assert_eq!((report.end, report.expanded, report.generated), (End::Found, 5, 6));
-        assert_eq!((report.pushes, report.open_peak), (6, 2));
+        assert_eq!((report.end, report.stats.expanded, report.stats.generated), (End::Found, 5, 6));
+        assert_eq!((report.stats.pushes, report.stats.open_peak), (6, 2));
         assert_eq!(scratch.chain(7).iter().map(|n| n.0).collect::<Vec<_>>(), [3, 4, 5, 6, 7]);
     }
 
     #[test]
     fn start_is_target() {
         let report = best_first(&mut Line { n: 1, target: 0 }, (0, ()), LIMITS, &mut Scratch::new(), &mut ());
-        assert_eq!((report.end, report.expanded, report.generated), (End::Found, 1, 1));
+        assert_eq!((report.end, report.stats.expanded, report.stats.generated), (End::Found, 1, 1));
     }
 
     #[test]
     fn an_unreachable_target_exhausts_and_a_budget_stops() {
         let mut line = Line { n: 10, target: 20 };
         let report = best_first(&mut line, (0, ()), LIMITS, &mut Scratch::new(), &mut ());
-        assert_eq!((report.end, report.expanded, report.closest.1), (End::Exhausted, 10, 9));
+        assert_eq!((report.end, report.stats.expanded, report.closest.1), (End::Exhausted, 10, 9));
         let limits = Limits { max_expansions: 4, ..LIMITS };
         let report = best_first(&mut line, (0, ()), limits, &mut Scratch::new(), &mut ());
-        assert_eq!((report.end, report.expanded), (End::BudgetSpent, 4));
+        assert_eq!((report.end, report.stats.expanded), (End::BudgetSpent, 4));
     }
 
     #[test]
@@ -231,26 +217,30 @@ mod tests {
         let (report, chain) = graph.search(0, LIMITS);
         assert_eq!((report.found.unwrap().1, chain), (3, vec![0, 4, 1, 3]));
         // The old entry of 1 is not expanded.
-        assert_eq!((report.expanded, report.generated, report.pushes), (4, 4, 5));
+        assert_eq!((report.stats.expanded, report.stats.generated, report.stats.pushes), (4, 4, 5));
         // Back to 0 and at 9 to 1 are no better, nor is as dear a way.
         assert_eq!(graph.asked.get(), 4);
         assert_eq!(report.closest, (0, 0), "the first of the equally near");
         let (report, _) = Graph::new(&[(0, 1, 5), (0, 4, 1), (4, 1, 1)], [None; 5]).search(0, LIMITS);
-        assert_eq!((report.end, report.expanded, report.pushes), (End::Exhausted, 3, 4), "nor at the end");
+        assert_eq!(
+            (report.end, report.stats.expanded, report.stats.pushes),
+            (End::Exhausted, 3, 4),
+            "nor at the end"
+        );
     }
 
     #[test]
     fn a_move_may_lead_past_the_node() {
         let edges = |past| [(4, 0, 1), (0, 1, 5), (0, 2, 1), (2, 1, past), (1, 3, 1)];
         let (report, chain) = Graph::new(&edges(3), AT_3).search(4, LIMITS);
-        assert_eq!((report.found.unwrap().1, report.pushes, chain), (5, 6, vec![4, 0, 1, 3]));
+        assert_eq!((report.found.unwrap().1, report.stats.pushes, chain), (5, 6, vec![4, 0, 1, 3]));
         // As dear as what is known, or closed.
         for past in [5, 6] {
             let (report, chain) = Graph::new(&edges(past), AT_3).search(4, LIMITS);
-            assert_eq!((report.found.unwrap().1, report.pushes, chain), (7, 5, vec![4, 0, 1, 3]));
+            assert_eq!((report.found.unwrap().1, report.stats.pushes, chain), (7, 5, vec![4, 0, 1, 3]));
         }
         let (report, _) = Graph::new(&[(4, 0, 1), (0, 2, 1), (2, 0, -5)], [None; 5]).search(4, LIMITS);
-        assert_eq!((report.expanded, report.pushes), (3, 3));
+        assert_eq!((report.stats.expanded, report.stats.pushes), (3, 3));
     }
 
     #[test]
@@ -263,10 +253,10 @@ mod tests {
         let (report, chain) = graph.search(0, LIMITS);
         assert_eq!((report.end, report.found.unwrap().1, chain), (End::Found, 3, vec![0, 1]));
         // 3 would cost no less than what is known by then.
-        assert_eq!((report.expanded, report.generated), (3, 3));
+        assert_eq!((report.stats.expanded, report.stats.generated), (3, 3));
         let (report, chain) = Graph::new(&edges, completions).search(0, Limits { first: true, ..LIMITS });
         assert_eq!(
-            (report.end, report.found.unwrap().1, report.expanded, chain),
+            (report.end, report.found.unwrap().1, report.stats.expanded, chain),
             (End::Found, 10, 1, vec![0])
         );
         let (report, _) = Graph::new(&edges, completions).search(0, Limits { max_expansions: 1, ..LIMITS });
@@ -278,6 +268,6 @@ mod tests {
         let mut graph = Graph::new(&[(0, 1, 1), (0, 4, 1), (1, 3, 5), (4, 3, 1)], AT_3);
         graph.estimates[4] = i64::MAX;
         let (report, chain) = graph.search(0, LIMITS);
-        assert_eq!((report.found.unwrap().1, report.generated, chain), (6, 3, vec![0, 1, 3]));
+        assert_eq!((report.found.unwrap().1, report.stats.generated, chain), (6, 3, vec![0, 1, 3]));
     }
 }

@@ -103,7 +103,7 @@ impl<L: Reversible, O: Observer<i64, ()>> Search<'_, L, O> {
     #[inline]
     fn turn<const TURN: usize>(&mut self, memory: &mut PackedScratch<L::Entry>) -> bool {
         let Some((entry, record)) = memory.pop::<2>(TURN, false) else { return false };
-        if self.budget.is_spent(self.found.expanded, self.observer) {
+        if self.budget.is_spent(self.found.stats.expanded, self.observer) {
             self.found.end = End::BudgetSpent;
             return false;
         }
@@ -135,7 +135,7 @@ impl<L: Reversible, O: Observer<i64, ()>> Search<'_, L, O> {
         };
         if meets {
             let g = cost_of(record);
-            self.found.expanded += 1;
+            self.found.stats.expanded += 1;
             self.observer.expanded(node, (), g);
             if self.stop != Stop::Best {
                 self.best = (g + memory.known(1 - TURN, node).unwrap_or_default(), node);
@@ -175,7 +175,7 @@ impl<L: Reversible, O: Observer<i64, ()>> Search<'_, L, O> {
         memory: &mut PackedScratch<L::Entry>,
     ) {
         let (g, last) = (cost_of(record), move_of(record));
-        self.found.expanded += 1;
+        self.found.stats.expanded += 1;
         self.observer.expanded(node, (), g);
         if TURN == 0 && h < self.nearest {
             (self.nearest, self.found.closest) = (h, node);

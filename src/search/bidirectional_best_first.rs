@@ -11,7 +11,7 @@
 //! this tree leads to a cheaper path. Each tree alone would find every path to its target, so this one condition
 //! suffices.
 
-use super::{Budget, Cost, Domain, End, Finish, Limits, Observer, Tree, Visit};
+use super::{Budget, Cost, Domain, End, Finish, Limits, Observer, SearchStats, Tree, Visit};
 
 /// Two trees: the first grows from the start, the second against the direction of the path from the goal.
 pub type Trees<'t, 'a, D> = &'t [Tree<'a, D>; 2];
@@ -42,14 +42,8 @@ pub trait Join<D: Domain> {
 pub struct Summary {
     /// How it ended.
     pub end: End,
-    /// Nodes taken from the open lists and processed.
-    pub expanded: u32,
-    /// Distinct nodes that ever entered an open list, the roots included.
-    pub generated: u32,
-    /// All insertions into the open lists.
-    pub pushes: u32,
-    /// Largest sizes of the open lists, added.
-    pub open_peak: u32,
+    /// Its counters, without the bytes.
+    pub stats: SearchStats,
 }
 
 /// Grows the tree with fewer waiting nodes until neither can lead to a cheaper path than the best one of `join`.
@@ -85,15 +79,10 @@ pub fn bidirectional_best_first<D: Domain, J: Join<D>, O: Observer<D::Cost, D::L
         join.join(trees, side, at);
         trees[side].expand(at, join.best(), observer);
     };
-    let [a, b] = &*trees;
-    let [first, second] = [&a.scratch.open, &b.scratch.open];
-    Summary {
-        end,
-        expanded,
-        generated: a.generated + b.generated,
-        pushes: first.pushes() + second.pushes(),
-        open_peak: (first.peak() + second.peak()) as u32,
-    }
+    let [a, b] = [trees[0].stats(), trees[1].stats()];
+    let mut stats = SearchStats { expanded, ..a };
+    stats.add(b);
+    Summary { end, stats: SearchStats { open_peak: a.open_peak + b.open_peak, ..stats } }
 }
 
 /// The tree with fewer waiting nodes, and the first of equal ones; `None` where none waits.

@@ -58,6 +58,7 @@ mod recording;
 #[cfg(test)]
 #[cfg(feature = "complete")]
 mod reference;
+mod stats;
 #[cfg(test)]
 #[cfg(feature = "complete")]
 mod tests;
@@ -89,4 +90,5 @@ pub use recorded_domain::{
 };
 #[cfg(feature = "complete")]
 pub use recording::{BACKWARD, Fate, PAST, Recording, StepKind};
+pub use stats::SearchStats;
 pub use tree::Tree;

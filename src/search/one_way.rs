@@ -16,7 +16,7 @@
 use super::entry::Entry;
 use super::frontier::{Frontier, PackedScratch, Record, Relaxing, cost_of, move_of};
 use super::lattice::{Deferral, Deferring, EdgeSink, Lattice};
-use super::{Budget, End, NodeId, Observer};
+use super::{Budget, End, NodeId, Observer, SearchStats};
 
 /// The path of a search and its counters.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,22 +27,14 @@ pub struct Found {
     pub cost: i64,
     /// Nodes from start to goal; empty without a path.
     pub nodes: Vec<NodeId>,
-    /// Nodes popped and expanded, the goal included.
-    pub expanded: u32,
-    /// Nodes that entered an open list, once per list.
-    pub generated: u32,
-    /// Insertions into the open lists.
-    pub pushes: u32,
+    /// Its counters.
+    pub stats: SearchStats,
     /// Nodes whose deferred moves were tried.
     pub deferred: u32,
     /// Nodes that a bound excluded before they were processed; `None` where there are no bounds.
     pub rejected: Option<u32>,
-    /// Largest number of open-list entries.
-    pub open_peak: u32,
     /// The expanded node with the smallest estimate to the goal.
     pub closest: NodeId,
-    /// Bytes of the node records plus the open lists at their peak.
-    pub bytes: u64,
 }
 
 /// Searches a path from the first node to the second: the cheapest one if the estimate is consistent.
@@ -128,12 +120,12 @@ fn search<L: Lattice, M: DeferredMoves<L>, O: Observer<i64, ()>>(
     let mut nearest = h;
     let mut budget = Budget::new(max_expansions, observer);
     while let Some((entry, record)) = memory.pop::<1>(0, M::EXIST) {
-        if budget.is_spent(found.expanded, observer) {
+        if budget.is_spent(found.stats.expanded, observer) {
             found.end = End::BudgetSpent;
             break;
         }
         let (node, h, g) = (entry.node(), entry.h(), cost_of(record));
-        found.expanded += 1;
+        found.stats.expanded += 1;
         observer.expanded(node, (), g);
         if M::EXIST && entry.is_deferred() {
             found.deferred += 1;
@@ -153,7 +145,7 @@ fn search<L: Lattice, M: DeferredMoves<L>, O: Observer<i64, ()>>(
             found.nodes.reverse();
             if node != goal {
                 found.nodes.push(goal);
-                found.generated += u32::from(!memory.is_known(goal));
+                found.stats.generated += u32::from(!memory.is_known(goal));
             }
             break;
         }
@@ -192,27 +184,24 @@ impl Found {
             end: End::Exhausted,
             cost: 0,
             nodes: Vec::new(),
-            expanded: 0,
-            generated: 0,
-            pushes: 0,
+            stats: SearchStats::default(),
             deferred: 0,
             rejected: None,
-            open_peak: 0,
             closest: start,
-            bytes: 0,
         }
     }
 
     /// Adds the counters of the sides, and the bytes that records, parents and open lists need.
     pub(super) fn count<L: Lattice>(&mut self, lattice: &L, sides: &[Frontier<L::Entry>]) {
+        let stats = &mut self.stats;
         for side in sides {
-            self.generated += side.generated;
-            self.pushes += side.open.pushes();
-            self.open_peak += side.open.peak();
+            stats.generated += side.generated;
+            stats.pushes += side.open.pushes();
+            stats.open_peak += side.open.peak();
         }
         let nodes = lattice.node_count();
         let records = (nodes + 2 * lattice.padding()) * sides.len() * size_of::<Record>();
         let parents = if L::JUMPS { nodes * size_of::<NodeId>() } else { 0 };
-        self.bytes = (records + parents + self.open_peak as usize * size_of::<L::Entry>()) as u64;
+        stats.bytes = (records + parents + stats.open_peak as usize * size_of::<L::Entry>()) as u64;
     }
 }

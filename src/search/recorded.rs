@@ -321,7 +321,7 @@ fn one_way(
         out.penalty = penalty as f64;
     }
     while let Some(entry) = side.pop() {
-        if out.expanded >= max_expansions {
+        if out.stats.expanded >= max_expansions {
             break;
         }
         if out.nodes.len() == limit {
@@ -331,7 +331,7 @@ fn one_way(
         let (node, h) = (entry.node, entry.h);
         let known = side.known[&node];
         let g = known.g;
-        out.expanded += 1;
+        out.stats.expanded += 1;
         let numbers = [g, h, entry.f].map(|value| value as f64);
         if let Some(payload) = entry.payload {
             out.step(StepKind::Deferred, 0, node, numbers);
@@ -387,9 +387,9 @@ fn defer(
 
 pub(super) fn count(mut out: Recording, sides: &[Side]) -> Recording {
     for side in sides {
-        out.generated += side.generated;
-        out.pushes += side.pushes;
-        out.open_peak += side.peak.max(side.open.len()) as u32;
+        out.stats.generated += side.generated;
+        out.stats.pushes += side.pushes;
+        out.stats.open_peak += side.peak.max(side.open.len()) as u32;
     }
     out.unit = MICRO;
     out.finish()

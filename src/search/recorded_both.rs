@@ -71,7 +71,7 @@ impl TwoSides<'_> {
     /// Takes up the side's next node. Tells whether to go on.
     fn turn(&mut self, turn: usize) -> bool {
         let Some(entry) = self.sides[turn].pop() else { return false };
-        if self.out.expanded >= self.most {
+        if self.out.stats.expanded >= self.most {
             return false;
         }
         if self.out.nodes.len() == self.limit {
@@ -96,7 +96,7 @@ impl TwoSides<'_> {
                 return entry.f < self.best.0;
             }
         } else if self.meets(turn, node) {
-            self.out.expanded += 1;
+            self.out.stats.expanded += 1;
             self.out.step(StepKind::Meet, turn, node, numbers);
             return false;
         }
@@ -120,7 +120,7 @@ impl TwoSides<'_> {
 
     /// Writes the node down with its moves: those that were relaxed, then those that were not and why.
     fn expand(&mut self, turn: usize, (node, known): (NodeId, Known), numbers: [f64; 3]) {
-        self.out.expanded += 1;
+        self.out.stats.expanded += 1;
         self.out.step(StepKind::Expand, turn, node, numbers);
         let joins = matches!(self.stop, Stop::Best | Stop::Optimal);
         let [forward, backward] = &mut self.sides;

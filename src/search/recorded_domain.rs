@@ -18,7 +18,7 @@ use super::best_first::{Limits, Report, best_first};
 use super::bidirectional_best_first::{Join, Summary, Trees, bidirectional_best_first};
 use super::observer::Observer;
 use super::recording::{BACKWARD, Fate, PAST, Recording, StepKind};
-use super::{Domain, Finish, NodeId, Order, Relax, Scratch, Tree, Visit};
+use super::{Domain, Finish, NodeId, Order, Relax, Scratch, SearchStats, Tree, Visit};
 
 /// A domain that can name its moves whether they were taken or not.
 /// A target may be told more than once; what the search emitted is recognised by its label.
@@ -285,8 +285,8 @@ pub fn record_best_first<D: Told, O: Observer<f64, D::Label>>(
     let notes = RefCell::new(Notes::new(&[root.0], domain.order(), limit));
     let mut watched = Watched { domain, notes: &notes, side: 0 };
     let report = best_first(&mut watched, root, limits, scratch, observer);
-    let counters = [report.expanded, report.generated, report.pushes, report.open_peak];
-    (report, finished(notes, counters))
+    let stats = report.stats;
+    (report, finished(notes, stats))
 }
 
 /// Domain, root and memory of one side of a search.
@@ -313,13 +313,12 @@ where
     let mut trees = [Tree::new(a, first.1, first.2), Tree::new(b, second.1, second.2)];
     let mut noted = Noted { join, notes: &notes };
     let summary = bidirectional_best_first(&mut trees, limits, &mut noted, observer);
-    let counters = [summary.expanded, summary.generated, summary.pushes, summary.open_peak];
-    (summary, finished(notes, counters))
+    (summary, finished(notes, summary.stats))
 }
 
 /// Closes the last step and adds the search's own counters.
-fn finished<L>(notes: RefCell<Notes<L>>, [expanded, generated, pushes, open_peak]: [u32; 4]) -> Labelled<L> {
+fn finished<L>(notes: RefCell<Notes<L>>, stats: SearchStats) -> Labelled<L> {
     let Labelled { recording, labels } = notes.into_inner().out;
-    let recording = Recording { unit: 1.0, expanded, generated, pushes, open_peak, ..recording };
+    let recording = Recording { unit: 1.0, stats, ..recording };
     Labelled { recording: recording.finish(), labels }
 }

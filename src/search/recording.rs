@@ -5,7 +5,7 @@
 //! down every entry taken from the open list and every move considered there, with the reason for what became of
 //! it.
 
-use super::NodeId;
+use super::{NodeId, SearchStats};
 
 /// What an entry taken from the open list led to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,14 +93,8 @@ pub struct Recording {
     pub is_cut: bool,
     /// The penalty by which f of [`Fate::Requeued`] exceeds g + h.
     pub penalty: f64,
-    /// Nodes taken up, as the planner counts them.
-    pub expanded: u32,
-    /// Nodes that entered an open list, once per list.
-    pub generated: u32,
-    /// Insertions into the open lists.
-    pub pushes: u32,
-    /// Largest number of open-list entries.
-    pub open_peak: u32,
+    /// The planner's counters.
+    pub stats: SearchStats,
 }
 
 impl Recording {
@@ -126,9 +120,9 @@ impl Recording {
         }
     }
 
-    /// With the planner's counters: expanded, generated, insertions, size.
-    pub(crate) fn counted(self, [expanded, generated, pushes, open_peak]: [u32; 4]) -> Self {
-        Self { unit: MICRO, expanded, generated, pushes, open_peak, ..self }.finish()
+    /// With the planner's counters.
+    pub(crate) fn counted(self, stats: SearchStats) -> Self {
+        Self { unit: MICRO, stats, ..self }.finish()
     }
 
     /// A search without steps: nothing had to be searched.

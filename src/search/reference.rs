@@ -181,10 +181,10 @@ impl Plain {
 }
 
 fn count<E>(found: &mut Found, sides: &[Plain]) {
-    found.generated = sides.iter().map(|side| side.generated).sum();
-    found.pushes = sides.iter().map(|side| side.pushes).sum();
-    found.open_peak = sides.iter().map(|side| side.peak as u32).sum();
-    found.bytes = (sides.len() * NODES * 8 + found.open_peak as usize * size_of::<E>()) as u64;
+    found.stats.generated = sides.iter().map(|side| side.generated).sum();
+    found.stats.pushes = sides.iter().map(|side| side.pushes).sum();
+    found.stats.open_peak = sides.iter().map(|side| side.peak as u32).sum();
+    found.stats.bytes = (sides.len() * NODES * 8 + found.stats.open_peak as usize * size_of::<E>()) as u64;
 }
 
 fn plain_one_way<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId)) -> Found {
@@ -193,7 +193,7 @@ fn plain_one_way<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId)) -> Fou
     let mut side = Plain::new(start, nearest);
     while let Some((_, h, node)) = side.pop() {
         side.closed[node as usize] = true;
-        found.expanded += 1;
+        found.stats.expanded += 1;
         if h < nearest {
             (nearest, found.closest) = (h, node);
         }
@@ -247,13 +247,13 @@ fn plain_both_ways<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId), stop
             Stop::First | Stop::Best => sides[1 - turn].closed[node as usize],
         };
         if meets {
-            found.expanded += 1;
+            found.stats.expanded += 1;
             if stop != Stop::Best {
                 best = (g + sides[1 - turn].g(node).unwrap(), node);
             }
             break;
         }
-        found.expanded += 1;
+        found.stats.expanded += 1;
         if turn == 0 && h < nearest {
             (nearest, found.closest) = (h, node);
         }

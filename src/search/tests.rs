@@ -1,7 +1,10 @@
 //! Searches along a line of nodes, down to the last counter.
 
 use super::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice, Reversible};
-use super::{End, Found, NodeId, PackedScratch, Stop, WideEntry, bidirectional, one_way, one_way_deferring};
+use super::{
+    End, Found, NodeId, PackedScratch, SearchStats, Stop, WideEntry, bidirectional, one_way,
+    one_way_deferring,
+};
 
 /// Nodes 0 to 9 with steps of cost 1 up (number 0) and down (number 1). With `HOLDS`, steps down are held back.
 struct Line<const JUMPS: bool, const HOLDS: bool> {
@@ -104,31 +107,28 @@ fn one_side_counts_what_it_does() {
         end: End::Found,
         cost: 3,
         nodes: vec![2, 3, 4, 5],
-        expanded: 4,
         // 2, 3 and 1, 4, 5.
-        generated: 5,
-        pushes: 5,
+        stats: SearchStats { expanded: 4, generated: 5, pushes: 5, open_peak: 2, bytes: RECORDS + 2 * ENTRY },
         deferred: 0,
         rejected: None,
-        open_peak: 2,
         closest: 5,
-        bytes: RECORDS + 2 * ENTRY,
     };
     assert_eq!(found, want);
     let jumps = Line::<true, false>::new(2, 5).one_way(100);
-    assert_eq!(jumps, Found { bytes: want.bytes + u64::from(NODES) * 4, ..want });
+    let stats = SearchStats { bytes: want.stats.bytes + u64::from(NODES) * 4, ..want.stats };
+    assert_eq!(jumps, Found { stats, ..want });
 }
 
 #[test]
 fn a_budget_ends_a_search_where_it_is() {
     for (budget, end, closest) in [(3, End::BudgetSpent, 4), (4, End::Found, 5)] {
         let found = Line::<false, false>::new(2, 5).one_way(budget);
-        assert_eq!((found.end, found.expanded, found.closest), (end, budget, closest));
+        assert_eq!((found.end, found.stats.expanded, found.closest), (end, budget, closest));
     }
     let line = Line::<false, false>::new(2, 5);
     for stop in [Stop::First, Stop::Best, Stop::Optimal, Stop::Naive] {
         let found = bidirectional(&line, line.ends, stop, 2, &mut PackedScratch::default(), &mut ());
-        assert_eq!((found.end, found.expanded, found.nodes.len()), (End::BudgetSpent, 2, 0));
+        assert_eq!((found.end, found.stats.expanded, found.nodes.len()), (End::BudgetSpent, 2, 0));
     }
 }
 
@@ -138,7 +138,7 @@ fn a_shot_completes_the_path() {
     let found = line.one_way(100);
     assert_eq!((found.end, found.cost, &found.nodes[..]), (End::Found, 8, &[2, 3, 5][..]));
     // The goal was not reached before, and counts.
-    assert_eq!((found.expanded, found.generated, found.pushes), (2, 4, 3));
+    assert_eq!((found.stats.expanded, found.stats.generated, found.stats.pushes), (2, 4, 3));
 }
 
 #[test]
@@ -146,20 +146,28 @@ fn moves_that_are_held_back_wait() {
     let found =
         |deferral, start, goal| Line::<false, true> { deferral, ..Line::new(start, goal) }.one_way(100);
     // Up to the end, where the way is stuck, and no step down from there improves anything.
-    let counts = |found: &Found| (found.end, found.expanded, found.generated, found.pushes, found.deferred);
+    let counts = |found: &Found| {
+        (found.end, found.stats.expanded, found.stats.generated, found.stats.pushes, found.deferred)
+    };
     assert_eq!(counts(&found(Deferral::Never, 7, 5)), (End::Exhausted, 3, 3, 3, 0));
     assert_eq!(counts(&found(Deferral::IfStuck, 7, 5)), (End::Exhausted, 3, 3, 3, 1));
     assert_eq!(counts(&found(Deferral::IfStuck, 9, 5)), (End::Found, 5, 5, 5, 4));
     // Put back by 1, the step down from 7 comes before the second step up; 6 has a step up that improves nothing.
     let late = found(Deferral::Penalty(1), 7, 5);
     assert_eq!((late.nodes, late.cost), (vec![7, 6, 5], 2));
-    assert_eq!((late.expanded, late.generated, late.pushes, late.deferred), (4, 4, 5, 2));
+    assert_eq!((late.stats.expanded, late.stats.generated, late.stats.pushes, late.deferred), (4, 4, 5, 2));
     // Put back by 4, it comes before the node 9 by its smaller h.
     let tie = found(Deferral::Penalty(4), 7, 5);
-    assert_eq!((tie.cost, tie.expanded, tie.generated, tie.pushes, tie.deferred), (2, 5, 5, 7, 2));
+    assert_eq!(
+        (tie.cost, tie.stats.expanded, tie.stats.generated, tie.stats.pushes, tie.deferred),
+        (2, 5, 5, 7, 2)
+    );
     // Put back by 5, it comes after that one, which is stuck.
     let later = found(Deferral::Penalty(5), 7, 5);
-    assert_eq!((later.cost, later.expanded, later.generated, later.pushes, later.deferred), (2, 6, 5, 7, 3));
+    assert_eq!(
+        (later.cost, later.stats.expanded, later.stats.generated, later.stats.pushes, later.deferred),
+        (2, 6, 5, 7, 3)
+    );
 }
 
 #[test]
@@ -170,23 +178,26 @@ fn two_sides_count_what_they_do() {
         end: End::Found,
         cost: 5,
         nodes: vec![2, 3, 4, 5, 6, 7],
-        // 2, 3, 4 and 7, 6, 5; then 5, where they meet.
-        expanded: 7,
-        // From either end, that and the five that one comes to from three.
-        generated: 10,
-        pushes: 10,
+        // Expanded are 2, 3, 4 and 7, 6, 5; then 5, where they meet. From either end, that and the five that one comes
+        // to from three.
+        stats: SearchStats {
+            expanded: 7,
+            generated: 10,
+            pushes: 10,
+            open_peak: 4,
+            bytes: 2 * RECORDS + 4 * ENTRY,
+        },
         deferred: 0,
         rejected: None,
-        open_peak: 4,
         closest: 4,
-        bytes: 2 * RECORDS + 4 * ENTRY,
     };
     assert_eq!(found(Stop::First), want);
     assert_eq!(found(Stop::Best), want);
     // On a line they cannot pass each other.
     assert_eq!(found(Stop::Naive), want);
     // 4 and 6 have met at 5 by then, and nothing is cheaper.
-    let want = Found { expanded: 5, generated: 9, pushes: 9, rejected: Some(1), ..want };
+    let stats = SearchStats { expanded: 5, generated: 9, pushes: 9, ..want.stats };
+    let want = Found { stats, rejected: Some(1), ..want };
     assert_eq!(found(Stop::Optimal), want);
 }
 
@@ -198,8 +209,8 @@ fn a_memory_serves_more_searches_than_it_has_generations() {
         let found = one_way(&line, line.ends, 100, &mut memory, &mut ());
         assert_eq!((found.end, found.cost), (End::Found, i64::from(line.ends.0.abs_diff(line.ends.1))));
         assert_eq!(
-            found.generated,
-            Line::<false, false>::new(line.ends.0, line.ends.1).one_way(100).generated
+            found.stats.generated,
+            Line::<false, false>::new(line.ends.0, line.ends.1).one_way(100).stats.generated
         );
     }
 }

@@ -6,7 +6,7 @@
 
 use super::node_table::{NO_PARENT, Slot};
 use super::open_list::{Entry, Kind};
-use super::{Cost, Domain, Finish, NodeId, Observer, Relax, Scratch, Visit};
+use super::{Cost, Domain, Finish, NodeId, Observer, Relax, Scratch, SearchStats, Visit};
 
 /// A domain, and what a search has found in it so far.
 #[derive(Debug)]
@@ -32,6 +32,13 @@ impl<'a, D: Domain> Tree<'a, D> {
         scratch.begin(domain.node_count(), h);
         scratch.enter(domain.order(), (h, h), root, (D::Cost::default(), label, NO_PARENT));
         Self { domain, scratch, generated: 1, closest: (h, root) }
+    }
+
+    /// Its counters, without expansions, which the caller counts, and bytes.
+    pub(super) fn stats(&self) -> SearchStats {
+        let open = &self.scratch.open;
+        let (pushes, open_peak) = (open.pushes(), open.peak() as u32);
+        SearchStats { generated: self.generated, pushes, open_peak, ..SearchStats::default() }
     }
 
     /// Takes the first entry of the open list that is not stale; its node is not expanded yet.

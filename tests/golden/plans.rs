@@ -221,7 +221,7 @@ fn explanations_are_the_papers_tables() {
                 };
                 let report = risk_field::plan(query, &once, &mut GridScratch::new(), &mut ());
                 let tried = |c: &&risk_field::Candidate| c.free && c.role != "held-back";
-                assert_eq!(report.generated as usize, 1 + told.candidates.iter().filter(tried).count());
+                assert_eq!(report.stats.generated as usize, 1 + told.candidates.iter().filter(tried).count());
             }
         }
     }

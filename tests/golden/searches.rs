@@ -29,9 +29,9 @@ fn grid_searches_count_and_cost_the_same() {
         for (name, cost, neighbourhood, heuristic) in planners {
             let report = golden.astar(neighbourhood, heuristic);
             golden.equal(&format!("/optimal_cost_micro/{cost}"), report.cost_micro);
-            golden.equal(&format!("/expanded/{name}"), report.expanded);
+            golden.equal(&format!("/expanded/{name}"), report.stats.expanded);
             if !matches!(name, "a24" | "a48") {
-                golden.equal(&format!("/generated/{name}"), report.generated);
+                golden.equal(&format!("/generated/{name}"), report.stats.generated);
             }
         }
     }
@@ -60,7 +60,7 @@ fn jump_points_expand_the_same() {
             let report = jump_point::plan(golden.query(), &bits, &config, &mut GridScratch::new(), &mut ());
             golden.equal("/optimal_cost_micro/a8", report.cost_micro);
             if !prune {
-                golden.equal("/jps_expanded", report.expanded);
+                golden.equal("/jps_expanded", report.stats.expanded);
             }
         }
     }
@@ -88,8 +88,8 @@ fn risk_searches_count_and_cost_the_same() {
             let report = risk_field::plan(golden.query(), &config, &mut GridScratch::new(), &mut ());
             assert_eq!(report.outcome, Outcome::Found);
             golden.equal(&format!("/{name}/cost_micro"), report.cost_micro);
-            golden.equal(&format!("/{name}/expanded"), report.expanded);
-            golden.equal(&format!("/{name}/generated"), report.generated);
+            golden.equal(&format!("/{name}/expanded"), report.stats.expanded);
+            golden.equal(&format!("/{name}/generated"), report.stats.generated);
             if name == "risk" {
                 golden.equal("/risk/deferred", report.deferred);
             }

@@ -31,7 +31,7 @@ fn long_connections_take_a_million_checks_and_a_thousand_each() {
     // 1 955 000 without a limit.
     let spent = plan(&lot, 40);
     assert!((1_250_000..1_450_000).contains(&spent.collision_checks), "{}", spent.collision_checks);
-    assert_eq!((spent.expanded, spent.arcs.len()), (40, 0));
+    assert_eq!((spent.stats.expanded, spent.arcs.len()), (40, 0));
     assert!(matches!(spent.status, Status::BudgetExhausted(left) if left > 999_900.0), "{:?}", spent.status);
     assert!(matches!(spent.obstruction, Some(Obstruction::Nearest { at, .. }) if at.x > 20.0 && at.x < 60.0));
     // With more expansions the search goes round the block and on, until a connection is worth its checks again.

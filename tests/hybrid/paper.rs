@@ -42,14 +42,14 @@ fn the_straight_line_guides_to_the_rows_and_the_first_connection_is_no_shorter()
     for (id, _, length, changes) in MUST_REACH {
         let lot = Lot::of(id);
         let (shortest, _, report) = lot.solve(id, &Config::default());
-        best += report.expanded;
+        best += report.stats.expanded;
         let config = Config { heuristic: Heuristic::Euclid, ..Config::default() };
         let (got, got_changes, report) = lot.solve(id, &config);
         assert!(got <= length * 1.05 && got_changes <= changes + 1, "{id}: {got} m, {got_changes} changes");
-        straight += report.expanded;
+        straight += report.stats.expanded;
         let (got, _, report) = lot.solve(id, &Config { first_shot: true, ..Config::default() });
         assert!(got >= shortest - 0.05, "{id}: {got} m, {shortest} m");
-        first += report.expanded;
+        first += report.stats.expanded;
     }
     println!("expansions: {best}, with the straight line {straight}, to the first connection {first}");
     assert!(straight > best && first < best, "{best} {straight} {first}");

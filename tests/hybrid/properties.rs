@@ -24,7 +24,11 @@ fn random_lots_give_drivable_paths() {
         let length = arcs::length(&report.arcs);
         assert!(length >= report.rs_bound - 1e-6, "{name}");
         let again = lot.plan(&config);
-        assert_eq!((again.arcs, again.expanded), (report.arcs.clone(), report.expanded), "{name}");
+        assert_eq!(
+            (again.arcs, again.stats.expanded),
+            (report.arcs.clone(), report.stats.expanded),
+            "{name}"
+        );
         let mut turned = lot.clone();
         (turned.start[2], turned.goal[2]) = (lot.start[2] + TAU, lot.goal[2] - TAU);
         let turned = turned.plan(&config);

@@ -24,7 +24,7 @@ fn bad_questions_are_answered_with_the_reason() {
     assert_eq!(ask(&away).status, Status::StartInCollision(BORDER), "wholly outside");
     let wall = [[-25.0, 11.0], [25.0, 11.0], [25.0, 11.2], [-25.0, 11.2]];
     let walled = ask(&lot.clone().with(&wall));
-    assert_eq!((walled.status, walled.expanded), (Status::Unreachable, 0));
+    assert_eq!((walled.status, walled.stats.expanded), (Status::Unreachable, 0));
     for bad in [f64::NAN, f64::INFINITY, 1e300] {
         let report = ask(&Lot { start: [bad, 18.0, PI], ..lot.clone() });
         assert!(!matches!(report.status, Status::Found | Status::Suboptimal), "{bad}");
@@ -45,7 +45,7 @@ fn bad_questions_are_answered_with_the_reason() {
     };
     let spent = Lot::of("par-7.2").plan(&config);
     assert!(matches!(spent.status, Status::BudgetExhausted(left) if left > 1.0), "{:?}", spent.status);
-    assert_eq!(spent.expanded, 10);
+    assert_eq!(spent.stats.expanded, 10);
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
@@ -89,7 +89,7 @@ fn a_coarse_level_alone_ends_without_a_path() {
     let slot = Lot::of("par-7.2");
     let report = slot.plan(&Config { ladder: false, ..Config::default() });
     assert_eq!((report.status, report.level), (Status::NoPath, 0));
-    assert!(report.arcs.is_empty() && report.expanded < 100 && report.closest.is_some());
+    assert!(report.arcs.is_empty() && report.stats.expanded < 100 && report.closest.is_some());
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

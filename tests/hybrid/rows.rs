@@ -23,7 +23,7 @@ pub(super) const MUST_REACH: [(&str, f64, f64, u32); 10] = [
 fn the_papers_rows_are_reached() {
     for (id, bound, length, changes) in MUST_REACH {
         let (got, got_changes, report) = Lot::of(id).solve(id, &Config::default());
-        println!("{id}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
+        println!("{id}: {got:.2} m, {got_changes} changes, {} expansions", report.stats.expanded);
         assert!(got <= length && got_changes <= changes, "{id}: {got} m, {got_changes} changes");
         assert!((report.rs_bound - bound).abs() < 0.005, "{id}: bound {}", report.rs_bound);
         assert_eq!(report.margin, if id == "P1" { 0.0 } else { 0.1 }, "{id}");
@@ -45,7 +45,7 @@ fn the_papers_rows_are_reached_from_the_start_too() {
 fn two_trees_reach_the_papers_rows() {
     for (id, _, length, changes) in MUST_REACH {
         let (got, got_changes, report) = Lot::of(id).solve(id, &Config::bidirectional());
-        println!("{id}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
+        println!("{id}: {got:.2} m, {got_changes} changes, {} expansions", report.stats.expanded);
         assert!(got <= length * 1.05 && got_changes <= changes, "{id}: {got} m, {got_changes} changes");
     }
     let boxed = Lot::of("par-6.6");

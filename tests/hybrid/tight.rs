@@ -31,7 +31,7 @@ fn tight_slots_are_entered() {
     for (name, (length, changes, level), (length_close, changes_close)) in rows {
         let lot = Lot::of(name);
         let (got, got_changes, report) = lot.solve(name, &Config::default());
-        println!("{name}: {got:.2} m, {got_changes} changes, {} expansions", report.expanded);
+        println!("{name}: {got:.2} m, {got_changes} changes, {} expansions", report.stats.expanded);
         assert!(got <= length * 1.05 && got_changes <= changes, "{name}: {got} m, {got_changes} changes");
         assert_eq!((report.level, report.margin), (level, 0.1), "{name}");
         let (got, got_changes, _) = lot.solve(name, &close);
@@ -66,7 +66,7 @@ fn the_margin_falls_where_it_alone_keeps_the_car_in() {
     out.check("out between two cars", &report.arcs);
     let kept = out.plan(&Config { finest_level: 4, ..Config::default() });
     assert!(matches!(kept.status, Status::BoxedIn { at_start: true, .. }), "{:?}", kept.status);
-    assert!(kept.expanded < 1000, "{}", kept.expanded);
+    assert!(kept.stats.expanded < 1000, "{}", kept.stats.expanded);
 }
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -77,7 +77,7 @@ fn generated_slots_are_entered_and_left_and_corners_are_passed_or_proven_too_nar
         let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
         println!(
             "{}: {:?}, {} m kept, {} expansions",
-            scene.name, report.status, report.margin, report.expanded
+            scene.name, report.status, report.margin, report.stats.expanded
         );
         report
     };
@@ -94,7 +94,7 @@ fn generated_slots_are_entered_and_left_and_corners_are_passed_or_proven_too_nar
         for scene in [corner(car, seed, lane, lane), bay(car, seed, (0.5, 1.2), (4.5, 7.0))] {
             let report = answer(&scene, scene.start, scene.goal);
             assert!(!matches!(report.status, Status::BudgetExhausted(_)), "{}", scene.name);
-            assert!(report.expanded <= 300_000, "{}", scene.name);
+            assert!(report.stats.expanded <= 300_000, "{}", scene.name);
             let is_bay = scene.name.starts_with("bay");
             assert!(!is_bay || !report.arcs.is_empty(), "{}: {:?}", scene.name, report.status);
         }
@@ -111,7 +111,7 @@ fn the_tightest_slots_are_entered_with_three_centimetres() {
         let query = Query { obstacles, vehicle, start: *start, goal: *goal };
         let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
         assert_eq!(report.margin, 0.03, "{name}");
-        assert!(report.expanded <= 500_000, "{name}: {} expansions", report.expanded);
+        assert!(report.stats.expanded <= 500_000, "{name}: {} expansions", report.stats.expanded);
     }
 }
 
@@ -175,9 +175,9 @@ fn bays_are_entered_by_rocking() {
         let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
         assert!(matches!(report.status, Status::Found | Status::Suboptimal), "{name}: {:?}", report.status);
         assert!(
-            report.expanded <= 300_000 && report.margin >= 0.002,
+            report.stats.expanded <= 300_000 && report.margin >= 0.002,
             "{name}: {} expansions",
-            report.expanded
+            report.stats.expanded
         );
         let end = arcs::end(*start, &report.arcs);
         assert!((end.point() - goal.point()).norm() < 1e-6, "{name}: {end:?}");

@@ -93,7 +93,7 @@ fn the_manuscripts_factor_cancels() {
         let lengths = [500.0, 3000.0, 5000.0, 8000.0].map(|factor| {
             let report = scene.plan(&Config { paper_factor: factor, ..Config::paper() });
             // The estimate tells nothing: nearly all cells with room are expanded, run-outs aside.
-            assert!(f64::from(report.expanded) >= 0.98 * f64::from(report.free), "{id}");
+            assert!(f64::from(report.stats.expanded) >= 0.98 * f64::from(report.free), "{id}");
             length(&report.cells)
         });
         assert!(lengths.iter().all(|l| (l - lengths[0]).abs() <= 0.01), "{id}: {lengths:?}");
@@ -157,7 +157,7 @@ fn the_search_is_the_same_everywhere() {
         let scene = Scene::new(id);
         let report = scene.plan(&Config::default());
         let again = scene.plan(&Config::default());
-        assert_eq!(report.expanded, expanded, "{id}");
+        assert_eq!(report.stats.expanded, expanded, "{id}");
         assert!(report.cells == again.cells, "{id}");
     }
 }

@@ -31,7 +31,7 @@ pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 use super::Outcome;
 use crate::geometry::{Point, math};
 use crate::map::Cell;
-use crate::search::{Limits, NodeId, Recording, Watch, best_first, record_best_first};
+use crate::search::{Limits, NodeId, Recording, SearchStats, Watch, best_first, record_best_first};
 use domain::{Places, Road};
 use prune::Chords;
 
@@ -68,22 +68,15 @@ pub struct Report {
     pub cost: f64,
     /// How far start and goal were moved to have room, metres.
     pub moved: [f64; 2],
-    /// Expansions of all searches.
-    pub expanded: u32,
-    /// Those of the last one, to which the cells and the counters below belong.
+    /// The counters of all searches, but for the cells met by the last one alone; and bytes of the rasters, nodes and
+    /// open list that the planner holds in the end.
+    pub stats: SearchStats,
+    /// Expansions of the last search, to which the cells belong.
     pub last: u32,
     /// True if all cells have the margin, by the raster.
     pub has_margin: bool,
-    /// Distinct cells met.
-    pub generated: u32,
-    /// Insertions into the open list.
-    pub pushes: u32,
-    /// Largest size of the open list.
-    pub open_peak: u32,
     /// Cells with room for the car.
     pub free: u32,
-    /// Bytes of the arrays that the search holds in the end: rasters, nodes and open list.
-    pub bytes: usize,
 }
 
 /// The memory of the planner, reused between queries.
@@ -100,14 +93,10 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         pruned: Vec::new(),
         cost: 0.0,
         moved: [0.0; 2],
-        expanded: 0,
+        stats: SearchStats::default(),
         last: 0,
         has_margin: false,
-        generated: 0,
-        pushes: 0,
-        open_peak: 0,
         free: map.len() as u32,
-        bytes: 0,
     };
     let Some((_, root, away)) = snapped(query, query.start) else {
         return Report { outcome: Outcome::StartBlocked, ..report };
@@ -124,23 +113,20 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
     let mut found = None;
     for strict in [true, false].into_iter().skip(usize::from(is_last)) {
         let mut road = Road { map, goal: (goal, last), strict: strict.then_some(ground) };
-        let limits = Limits { max_expansions: config.max_expansions - report.expanded, first: false };
+        let limits = Limits { max_expansions: config.max_expansions - report.stats.expanded, first: false };
         let next = best_first(&mut road, (root, ()), limits, memory, watch);
-        report.expanded += next.expanded;
-        report.last = next.expanded;
-        report.generated = next.generated;
-        report.pushes += next.pushes;
-        report.open_peak = report.open_peak.max(next.open_peak);
+        report.stats.add(next.stats);
+        report.stats.generated = next.stats.generated;
+        report.last = next.stats.expanded;
         report.outcome = next.end.into();
         found = next.found;
         report.has_margin = strict;
-        if report.outcome != Outcome::NoPath || report.expanded >= config.max_expansions {
+        if report.outcome != Outcome::NoPath || report.stats.expanded >= config.max_expansions {
             break;
         }
     }
-    report.bytes = size_of_val(&ground.clearance[..])
-        + map.bytes()
-        + crate::search::Scratch::<f64, ()>::bytes(map.len(), report.open_peak);
+    let nodes = crate::search::Scratch::<f64, ()>::bytes(map.len(), report.stats.open_peak);
+    report.stats.bytes = (size_of_val(&ground.clearance[..]) + map.bytes() + nodes) as u64;
     if let Some((last, cost, ())) = found {
         report.cells = memory.chain(last).into_iter().map(|(node, ())| map.cell(node)).collect();
         report.cost = cost;

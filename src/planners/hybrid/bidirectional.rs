@@ -39,7 +39,8 @@ use super::tree::Tree;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::search::{
-    self, Domain, End, Finish, Join, Limits, Trees, bidirectional_best_first, record_bidirectional_best_first,
+    self, Domain, End, Finish, Join, Limits, SearchStats, Trees, bidirectional_best_first,
+    record_bidirectional_best_first,
 };
 
 type Visit = search::Visit<f64, State>;
@@ -158,13 +159,10 @@ pub(super) fn search(
         ];
         bidirectional_best_first(&mut trees, limits, &mut cheapest, &mut observer)
     };
-    report.expanded += found.expanded;
-    report.generated += found.generated;
-    report.pushes += found.pushes;
-    report.open_peak = report.open_peak.max(found.open_peak);
-    let nodes = search::Scratch::<f64, State>::bytes(found.generated as usize, found.open_peak);
+    let SearchStats { generated, open_peak, .. } = found.stats;
+    let nodes = search::Scratch::<f64, State>::bytes(generated as usize, open_peak);
     let keys = scratch.keys.borrow().bytes() + other.keys.borrow().bytes();
-    report.bytes = report.bytes.max(nodes as u64 + keys + back.bytes());
+    report.stats.add(SearchStats { bytes: nodes as u64 + keys + back.bytes(), ..found.stats });
     other.flood = Some(back);
     let is_spent = found.end == End::BudgetSpent;
     if cheapest.cost.is_finite() {

@@ -165,12 +165,11 @@ impl Many<'_> {
                 }
             }
         }
-        sum.bytes += flood.bytes();
+        sum.stats.bytes += flood.bytes();
         scratch.flood = Some(flood);
         let Some((at, found)) = best else { return self.one_by_one(sum, scratch, progress) };
-        let Report { expanded, generated, pushes, open_peak, bytes, collision_checks, .. } = sum;
-        let bytes = bytes + self.query.obstacles.bytes();
-        (at, Report { expanded, generated, pushes, open_peak, bytes, collision_checks, ..found })
+        sum.stats.bytes += self.query.obstacles.bytes();
+        (at, Report { stats: sum.stats, collision_checks: sum.collision_checks, ..found })
     }
 
     /// The path in a report, with the goal that it leads to; the report then has counters only.
@@ -281,7 +280,7 @@ impl Many<'_> {
                 break;
             }
             if answer.is_some()
-                && (sum.expanded >= MAX_SINGLE_GOAL_EXPANSIONS
+                && (sum.stats.expanded >= MAX_SINGLE_GOAL_EXPANSIONS
                     || progress.as_ref().is_some_and(Progress::is_stopped))
             {
                 is_proven = false;
@@ -302,8 +301,7 @@ impl Many<'_> {
             status if is_proven => status,
             _ => Status::BudgetExhausted(nearest.rs_bound),
         };
-        let Report { expanded, generated, pushes, open_peak, bytes, collision_checks, .. } = sum;
-        (at, Report { status, expanded, generated, pushes, open_peak, bytes, collision_checks, ..nearest })
+        (at, Report { status, stats: sum.stats, collision_checks: sum.collision_checks, ..nearest })
     }
 
     /// The ordinary plan for one goal; its counters go on from those of `before`.
@@ -315,18 +313,12 @@ impl Many<'_> {
         progress: &mut Option<Progress>,
     ) -> Report {
         if let Some(progress) = progress {
-            progress.continue_after(before.expanded);
+            progress.continue_after(before.stats.expanded);
         }
         let query = Query { goal: self.worlds[at], ..*self.query };
-        let report = plan(&query, self.config, scratch, self.trace, progress);
-        Report {
-            expanded: report.expanded.saturating_add(before.expanded),
-            generated: report.generated.saturating_add(before.generated),
-            pushes: report.pushes.saturating_add(before.pushes),
-            open_peak: report.open_peak.max(before.open_peak),
-            bytes: report.bytes.max(before.bytes),
-            collision_checks: report.collision_checks.saturating_add(before.collision_checks),
-            ..report
-        }
+        let mut report = plan(&query, self.config, scratch, self.trace, progress);
+        report.stats.add(before.stats);
+        report.collision_checks = report.collision_checks.saturating_add(before.collision_checks);
+        report
     }
 }

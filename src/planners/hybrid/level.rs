@@ -34,7 +34,7 @@ use crate::geometry::arcs::{self, Arc};
 use crate::geometry::math;
 #[cfg(feature = "complete")]
 use crate::search::record_best_first;
-use crate::search::{End, Limits, best_first};
+use crate::search::{End, Limits, SearchStats, best_first};
 
 /// Spacing of the last check of a path, metres.
 const VERIFY_SPACING: f64 = 0.01;
@@ -152,7 +152,7 @@ impl Search<'_> {
         if price == 0.0 || arcs::direction_changes(&work.report.arcs) <= FEW_CHANGES {
             return;
         }
-        let most = FEWER_CHANGES_EXPANSIONS.min(FEWER_CHANGES_EFFORT * work.report.expanded);
+        let most = FEWER_CHANGES_EXPANSIONS.min(FEWER_CHANGES_EFFORT * work.report.stats.expanded);
         let level = Level {
             weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
             extra_change: price,
@@ -205,7 +205,7 @@ impl Search<'_> {
             if progress.is_stopped() {
                 return None;
             }
-            progress.follow(work.report.expanded);
+            progress.follow(work.report.stats.expanded);
         }
         let tree = self.trace.then(|| Tree::new(self, work.progress.as_ref()));
         let watch = self.trace.then(|| RefCell::new(Recorder::new(self.origin())));
@@ -252,12 +252,10 @@ impl Search<'_> {
             best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer)
         };
         report.keep(observer.0, watch.as_ref());
-        report.expanded += found.expanded;
-        report.generated += found.generated;
-        report.pushes += found.pushes;
-        report.open_peak = report.open_peak.max(found.open_peak);
-        let nodes = crate::search::Scratch::<f64, State>::bytes(found.generated as usize, found.open_peak);
-        report.bytes = report.bytes.max(nodes as u64 + scratch.keys.borrow().bytes());
+        let SearchStats { generated, open_peak, .. } = found.stats;
+        let nodes = crate::search::Scratch::<f64, State>::bytes(generated as usize, open_peak);
+        let bytes = nodes as u64 + scratch.keys.borrow().bytes();
+        report.stats.add(SearchStats { bytes, ..found.stats });
         let closest = scratch.search.label(found.closest.1).map(|s| s.pose);
         report.closest = closest.map(|p| self.world(p));
         let Some((last, _, tail)) = found.found else {

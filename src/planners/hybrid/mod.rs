@@ -174,13 +174,13 @@ pub fn plan(
         } else {
             (report.status, report.obstruction) = unreachable(query, [start, goal], report.margin);
         }
-        report.bytes += floods.bytes();
+        report.stats.bytes += floods.bytes();
         scratch.flood = floods.into_memory();
         if !report.arcs.is_empty() || progress.as_ref().is_some_and(Progress::is_stopped) {
             break;
         }
     }
-    report.bytes += query.obstacles.bytes();
+    report.stats.bytes += query.obstacles.bytes();
     report.collision_checks = probe.checks();
     let [from_start, from_goal] = travels(report.margin);
     let least = from_start.min(from_goal);

@@ -6,6 +6,7 @@ use super::recording::PoseRecording;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
 use crate::planners::{Gap, Obstruction};
+use crate::search::SearchStats;
 
 /// How planning ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,17 +63,9 @@ pub struct Report {
     /// Side of that tree's position cells, metres, and width of its heading bins, radians.
     #[cfg(feature = "complete")]
     pub resolution: (f64, f64),
-    /// Expansions, over all levels.
-    pub expanded: u32,
-    /// Distinct states met, over all levels.
-    pub generated: u32,
-    /// Insertions into the open list, over all levels.
-    pub pushes: u32,
-    /// Largest size of the open list.
-    pub open_peak: u32,
-    /// Bytes of the obstacles' rasters and buckets, the estimate's raster, and of the level that kept most of its nodes
-    /// and open list.
-    pub bytes: u64,
+    /// The counters of all levels. Bytes are those of the obstacles' rasters and buckets, the estimate's raster, and of
+    /// the level that kept most of its nodes and open list.
+    pub stats: SearchStats,
     /// Poses tested for collision.
     pub collision_checks: u32,
     /// The expanded pose with the least estimate to go: how near the search came.
@@ -104,11 +97,7 @@ impl Report {
             from_goal: false,
             #[cfg(feature = "complete")]
             resolution: (0.0, 0.0),
-            expanded: 0,
-            generated: 0,
-            pushes: 0,
-            open_peak: 0,
-            bytes: 0,
+            stats: SearchStats::default(),
             collision_checks: 0,
             closest: None,
             obstruction: None,
@@ -122,19 +111,11 @@ impl Report {
 
     /// No path, after as much work.
     pub(super) fn counters(&self) -> Self {
-        Self {
-            expanded: self.expanded,
-            generated: self.generated,
-            pushes: self.pushes,
-            open_peak: self.open_peak,
-            bytes: self.bytes,
-            ..Self::empty(self.rs_bound)
-        }
+        Self { stats: self.stats, ..Self::empty(self.rs_bound) }
     }
 
     /// The answer of an earlier search, after as much work.
     pub(super) fn with_path_of(&self, known: Self) -> Self {
-        let Self { expanded, generated, pushes, open_peak, bytes, .. } = *self;
-        Self { expanded, generated, pushes, open_peak, bytes, ..known }
+        Self { stats: self.stats, ..known }
     }
 }

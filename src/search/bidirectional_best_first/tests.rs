@@ -1,8 +1,8 @@
 //! The search with two trees on random graphs, against Dijkstra's.
 
 use super::super::{
-    Domain, End, Finish, Join, Limits, NodeId, Observer, Relax, Scratch, Summary, Tree, Trees, Visit,
-    bidirectional_best_first,
+    Domain, End, Finish, Join, Limits, NodeId, Observer, Relax, Scratch, SearchStats, Summary, Tree, Trees,
+    Visit, bidirectional_best_first,
 };
 
 /// A directed graph as one of two trees sees it.
@@ -147,7 +147,10 @@ fn two_trees_meet_on_the_cheapest_path() {
             let (summary, meeting, best) = meet(seed, quarters, completes, ALL);
             let end = if best < i64::MAX { End::Found } else { End::Exhausted };
             assert_eq!((meeting.best, summary.end), (best, end), "seed {seed}, {quarters}, {completes}");
-            assert!(summary.expanded <= summary.generated && summary.generated <= summary.pushes);
+            assert!(
+                summary.stats.expanded <= summary.stats.generated
+                    && summary.stats.generated <= summary.stats.pushes
+            );
             joined += u32::from(best < i64::MAX);
             none += u32::from(best == i64::MAX);
         }
@@ -162,11 +165,11 @@ fn two_trees_stop_at_their_budget_or_the_first_path() {
         let (all, _, best) = meet(seed, 0, true, ALL);
         let (first, meeting, _) = meet(seed, 0, true, Limits { first: true, ..ALL });
         assert_eq!((first.end, meeting.best < i64::MAX), (all.end, best < i64::MAX), "seed {seed}");
-        assert!(first.expanded <= all.expanded && meeting.best >= best, "seed {seed}");
+        assert!(first.stats.expanded <= all.stats.expanded && meeting.best >= best, "seed {seed}");
         dearer += u32::from(meeting.best > best);
-        for most in [0, 1, all.expanded - 1].into_iter().filter(|&most| most < all.expanded) {
+        for most in [0, 1, all.stats.expanded - 1].into_iter().filter(|&most| most < all.stats.expanded) {
             let (cut, ..) = meet(seed, 0, true, Limits { max_expansions: most, first: false });
-            assert_eq!((cut.end, cut.expanded), (End::BudgetSpent, most), "seed {seed}");
+            assert_eq!((cut.end, cut.stats.expanded), (End::BudgetSpent, most), "seed {seed}");
         }
     }
     assert!(dearer > 10, "{dearer}");
@@ -207,6 +210,6 @@ fn the_tree_with_fewer_waiting_nodes_grows_and_its_observer_knows_which() {
     let summary = bidirectional_best_first(&mut trees, ALL, &mut meeting, &mut observers);
     assert_eq!((meeting.best, meeting.nodes), (2, vec![0, 2, 3]));
     assert_eq!(told.expanded, [(0, 0), (1, 3), (0, 2), (0, 1)]);
-    let want = Summary { end: End::Found, expanded: 4, generated: 6, pushes: 6, open_peak: 4 };
-    assert_eq!(summary, want);
+    let stats = SearchStats { expanded: 4, generated: 6, pushes: 6, open_peak: 4, bytes: 0 };
+    assert_eq!(summary, Summary { end: End::Found, stats });
 }

@@ -143,7 +143,7 @@ impl Run<'_> {
             // Everybody before this one has spent a slice in this round.
             let mut at = 0;
             while let Some(&member) = self.members.get(at).filter(|_| at <= round as usize) {
-                let before = work.report.expanded;
+                let before = work.report.stats.expanded;
                 if work.progress.as_ref().is_some_and(Progress::is_stopped) {
                     return;
                 }
@@ -158,7 +158,7 @@ impl Run<'_> {
                 let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
                 let slice = if self.is_in_open_space { u32::MAX } else { FIRST_SLICE.saturating_mul(growth) };
                 let turn = self.turn(member, slice.min(self.effort - before), work);
-                let expanded = work.report.expanded - before;
+                let expanded = work.report.stats.expanded - before;
                 at = match turn {
                     Turn::Spent if self.may_ask_proof(member) => {
                         self.members.swap(0, 1);
@@ -267,7 +267,7 @@ impl Run<'_> {
         let is_comfortable = report.margin >= COMFORTABLE_MARGIN;
         let is_restless = arcs::direction_changes(&report.arcs) > MANY_CHANGES;
         let more = if is_comfortable { FIRST_SLICE } else { MORE_MARGIN_EXPANSIONS };
-        self.effort = self.effort.min(report.expanded.saturating_add(report.expanded.max(more)));
+        self.effort = self.effort.min(report.stats.expanded.saturating_add(report.stats.expanded.max(more)));
         #[cfg(feature = "complete")]
         if self.is_in_open_space {
             self.members.extend(rocking(self.widest..member.margin));

@@ -37,7 +37,7 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     let (number, refinement) = LEVEL;
     let [least, most] = EXPANSIONS;
     let level = config.level(number).refined(refinement, config);
-    let most = work.report.expanded.clamp(least, most);
+    let most = work.report.stats.expanded.clamp(least, most);
     let Some(margin) = floods.margins.iter().position(|&margin| margin == work.report.margin) else { return };
     attempt((search, floods), (level, number, most), margin, 1, work);
     let comfortable = floods.margins.iter().position(|&margin| margin == COMFORTABLE_MARGIN);
