@@ -207,10 +207,10 @@ fn events(kind: &str, r: &Recording) -> JsValue {
         (
             "counters",
             object(&[
-                ("expanded", r.expanded.into()),
-                ("generated", r.generated.into()),
-                ("pushes", r.pushes.into()),
-                ("openPeak", r.open_peak.into()),
+                ("expanded", r.stats.expanded.into()),
+                ("generated", r.stats.generated.into()),
+                ("pushes", r.stats.pushes.into()),
+                ("openPeak", r.stats.open_peak.into()),
             ]),
         ),
     ])
