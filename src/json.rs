@@ -139,6 +139,11 @@ pub(crate) fn object(value: &Value) -> Result<&Map<String, Value>> {
 pub(crate) trait Words: Copy + PartialEq + 'static {
     /// Each value with its name.
     const WORDS: &'static [(&'static str, Self)];
+
+    /// The name.
+    fn word(self) -> &'static str {
+        Self::WORDS.iter().find(|word| word.1 == self).map_or("", |word| word.0)
+    }
 }
 
 /// Names the values of an enum.
@@ -223,7 +228,7 @@ impl<T: Words> Setting for T {
         word(T::WORDS)(value).map(|v| *self = v)
     }
     fn write(&self) -> Value {
-        T::WORDS.iter().find(|w| w.1 == *self).map_or(Value::Null, |w| w.0.into())
+        self.word().into()
     }
 }
 

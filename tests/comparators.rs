@@ -2,11 +2,11 @@
 #![cfg(feature = "complete")]
 
 use parkade::map::{Cell, Corner, Occupancy, line_of_sight};
-use parkade::planners::Outcome;
 use parkade::planners::dijkstra_greedy::{self, dijkstra, greedy};
 use parkade::planners::moves::{Neighbourhood, cost};
-use parkade::planners::query::{Detail, GridReport, GridScratch, Query};
+use parkade::planners::query::{GridReport, GridScratch, Query};
 use parkade::planners::settings::Common;
+use parkade::planners::{Detail, Outcome};
 use parkade::planners::{genetic, grid_astar, rrt};
 use parkade::scenario::generate::{Family, occupancy};
 #[cfg(target_arch = "wasm32")]

@@ -7,13 +7,13 @@ use std::collections::BinaryHeap;
 
 use parkade::map::{Bits, Cell, Corner, Occupancy, line_of_sight};
 use parkade::metrics::grid::length;
-use parkade::planners::Outcome;
 use parkade::planners::grid_astar::{self, Config};
 use parkade::planners::heuristics::Heuristic;
 use parkade::planners::moves::{Move, Neighbourhood, cost};
-use parkade::planners::query::{Detail, GridReport, GridScratch, Query};
+use parkade::planners::query::{GridReport, GridScratch, Query};
 use parkade::planners::risk_field::{self, Fallback};
 use parkade::planners::settings::Common;
+use parkade::planners::{Detail, Outcome};
 use parkade::planners::{any_angle, bidirectional, jump_point};
 use parkade::post::SmoothMode;
 use parkade::post::{prune, prune_dp, smooth};

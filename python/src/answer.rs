@@ -2,7 +2,7 @@
 
 use numpy::PyArray1;
 use parkade::metrics::Check;
-use parkade::plan::{Plan, PlanTrace};
+use parkade::plan::{Detail, Plan, PlanTrace};
 use parkade::scenario::Scenario;
 use parkade::scenario::resolve::Geometry;
 use pyo3::prelude::*;
@@ -22,7 +22,7 @@ pub(crate) fn plan<'py>(
     let data = |value: Value| write(py, &value);
     fields.set_item("planner", plan.planner)?;
     fields.set_item("outcome", plan.outcome.as_str())?;
-    fields.set_item("detail", plan.detail)?;
+    fields.set_item("detail", plan.detail.map(Detail::as_str))?;
     fields.set_item("reason", plan.reason.as_deref())?;
     fields.set_item("path", poses(py, &plan.path)?)?;
     fields.set_item("directions", PyArray1::from_slice(py, &plan.directions))?;

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::geometry::{Point, Pose};
 use crate::metrics::Verdict;
-use crate::plan::{Outcome, Plan, Planner};
+use crate::plan::{Detail, Outcome, Plan, Planner};
 use crate::planners::{Gap, Obstruction};
 use crate::scenario::Entry;
 use crate::scenario::resolve::Owner;
@@ -91,7 +91,7 @@ impl Way {
         Self {
             reachable,
             outcome: plan.outcome.as_str(),
-            detail: plan.detail,
+            detail: plan.detail.map(Detail::as_str),
             reason: plan.reason.clone(),
             place: place.map(|p| [p.x, p.y]),
             blocker: owner.map(|number| planner.scenario().name_of(number)),

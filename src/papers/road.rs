@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use crate::error::{Error, ErrorCode};
 use crate::metrics::risk::{self, Risk};
 use crate::metrics::road::RoadMetrics;
-use crate::plan::{Options, Planner, collision_risk};
+use crate::plan::{Detail, Options, Planner, collision_risk};
 use crate::scenario::Scenario;
 use crate::scenario::catalog;
 
@@ -237,7 +237,7 @@ fn line(
     let path: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
     let risk = collision_risk(scene, &path, &risk::Options::default())?;
     let metrics = plan.metrics.road.unwrap_or_default();
-    let fell_back = plan.detail == Some("smoothing-fell-back");
+    let fell_back = plan.detail == Some(Detail::SmoothingFellBack);
     Ok(Line { id, verdict: plan.check.verdict.as_str(), fell_back, metrics, risk, milliseconds })
 }
 

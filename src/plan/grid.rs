@@ -32,13 +32,13 @@ use crate::map::risk::PotentialField;
 #[cfg(feature = "complete")]
 use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
-use crate::planners::Obstruction;
 use crate::planners::grid_planner::GridPlanner;
-use crate::planners::query::{Detail, GridReport, GridScratch};
+use crate::planners::query::{GridReport, GridScratch};
 use crate::planners::registry::PlannerId;
 #[cfg(feature = "complete")]
 use crate::planners::risk_field;
 use crate::planners::settings::{Common, Inflation, Post};
+use crate::planners::{Detail, Obstruction};
 use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};
 use crate::scenario::Scenario;
 use crate::search::Watch;
@@ -208,7 +208,7 @@ impl Finish<'_> {
         #[cfg(not(feature = "complete"))]
         let _ = traced;
         let mut plan = measured(world, report.outcome, driven, near);
-        plan.detail = report.detail.map(Detail::as_str);
+        plan.detail = report.detail;
         plan.reason = self.reason();
         if report.outcome == Outcome::NoPath {
             let at = world.frame.center(report.closest);

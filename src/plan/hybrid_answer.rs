@@ -2,7 +2,7 @@
 
 #[cfg(feature = "complete")]
 use super::outcome::Member;
-use super::outcome::{HybridMetrics, Outcome, Stats};
+use super::outcome::{Detail, HybridMetrics, Outcome, Stats};
 use crate::geometry::arcs;
 use crate::planners::hybrid::{Report, Status};
 use crate::scenario::Scenario;
@@ -74,15 +74,15 @@ pub(super) fn outcome(status: Status) -> Outcome {
     }
 }
 
-pub(super) fn detail(status: Status) -> Option<&'static str> {
+pub(super) fn detail(status: Status) -> Option<Detail> {
     match status {
-        Status::Suboptimal => Some("suboptimal"),
-        Status::Unreachable => Some("unreachable"),
-        Status::TooNarrow(_) => Some("too-narrow"),
+        Status::Suboptimal => Some(Detail::Suboptimal),
+        Status::Unreachable => Some(Detail::Unreachable),
+        Status::TooNarrow(_) => Some(Detail::TooNarrow),
         #[cfg(feature = "complete")]
-        Status::NoRoom => Some("no-room"),
-        Status::BoxedIn { .. } => Some("boxed-in"),
-        Status::VerificationFailed => Some("verification-failed"),
+        Status::NoRoom => Some(Detail::NoRoom),
+        Status::BoxedIn { .. } => Some(Detail::BoxedIn),
+        Status::VerificationFailed => Some(Detail::VerificationFailed),
         _ => None,
     }
 }

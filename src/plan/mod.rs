@@ -46,7 +46,7 @@ mod world;
 #[cfg(feature = "complete")]
 pub use choices::Improved;
 pub use layers::{Layer, LayerData};
-pub use outcome::{GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
+pub use outcome::{Detail, GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 #[cfg(feature = "complete")]
 pub use outcome::{Member, Recorded};
 pub use path::check_path;

@@ -23,10 +23,10 @@ use crate::fnv::Fnv;
 use crate::geometry::{Point, Pose, arcs, math};
 use crate::metrics::Check;
 use crate::planners::Obstruction;
-pub use crate::planners::Outcome;
 use crate::planners::hybrid::FailedExpansions;
 #[cfg(feature = "complete")]
 use crate::planners::hybrid::PoseRecording;
+pub use crate::planners::{Detail, Outcome};
 #[cfg(feature = "complete")]
 use crate::scenario::GoalPose;
 #[cfg(feature = "complete")]
@@ -257,7 +257,7 @@ pub struct Plan {
     /// How it ended.
     pub outcome: Outcome,
     /// A finer word for the outcome.
-    pub detail: Option<&'static str>,
+    pub detail: Option<Detail>,
     /// For people, where there is no path.
     pub reason: Option<String>,
     /// The place that blocks the way, if there is no path and the place is known.

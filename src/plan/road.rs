@@ -12,7 +12,7 @@
 use super::engine::{Ask, Engine};
 use super::layers::LayerData;
 use super::measured::{Driven, NEAR, STEP, measured};
-use super::outcome::{Outcome, Plan, PlanTrace, Recorded, Stats};
+use super::outcome::{Detail, Outcome, Plan, PlanTrace, Recorded, Stats};
 use super::road_curve::{Curve, ENDS, along};
 use super::road_fit::Fit;
 use super::tractrix::tractrix;
@@ -156,7 +156,7 @@ impl Engine for RoadEngine {
             let middle = |pose: &Pose| pose.advance(0.0, world.geometry.vehicle.middle()).point();
             plan.path.windows(2).fold(0.0, |sum, w| sum + paint.along(middle(&w[0]), middle(&w[1])))
         });
-        plan.detail = line.fell_back.then_some("smoothing-fell-back");
+        plan.detail = line.fell_back.then_some(Detail::SmoothingFellBack);
         plan.reason = reason(&query, &report);
         plan.raw_path = report.cells.iter().map(|&c| world.frame.center(c)).collect();
         plan.stats = Stats::of(report.stats);
@@ -165,7 +165,7 @@ impl Engine for RoadEngine {
             let kept = kept(world, &plan, margin).min(margin);
             let is_short = kept < margin - MARGIN_TOLERANCE;
             if is_short {
-                plan.detail = plan.detail.or(Some("less-margin"));
+                plan.detail = plan.detail.or(Some(Detail::LessMargin));
             }
             let needed = radius(world) + margin - MARGIN_TOLERANCE;
             let fit = Fit::new(world, margin - MARGIN_TOLERANCE);

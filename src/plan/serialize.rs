@@ -6,6 +6,7 @@
 
 use serde::{Serialize, Serializer};
 
+use super::outcome::Detail;
 use super::{Metrics, Plan, Stats};
 use crate::geometry::Pose;
 #[cfg(feature = "complete")]
@@ -67,7 +68,7 @@ impl Serialize for Plan {
         Fields {
             planner: self.planner,
             outcome: self.outcome.as_str(),
-            detail: self.detail,
+            detail: self.detail.map(Detail::as_str),
             reason: self.reason.as_deref(),
             #[cfg(feature = "complete")]
             goal: self.goal.as_ref(),

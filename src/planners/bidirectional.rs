@@ -4,15 +4,15 @@
 //! by default the search stops where they meet, which is fast but not always the cheapest; NBA* (Pijls and Post 2009)
 //! goes on until nothing cheaper can exist. Estimates are the exact costs over an empty map.
 
-use super::Outcome;
 use super::grid_lattice::Grid;
 use super::grid_planner::grid_planner;
 use super::heuristics::{Chosen, Estimate, Heuristic, Octile};
 use super::moves::Neighbourhood;
 use super::parameters::{Form, parameters, spec};
-use super::query::{Detail, GridReport, GridScratch, Query};
+use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
+use super::{Detail, Outcome};
 use crate::json;
 use crate::search::{Observer, Recording, Stop, Watch, bidirectional, record_bidirectional};
 

@@ -40,4 +40,4 @@ pub mod settings;
 mod weighted;
 
 pub use obstruction::{Gap, Obstruction, Region};
-pub use outcome::Outcome;
+pub use outcome::{Detail, Outcome};

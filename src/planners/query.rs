@@ -3,7 +3,7 @@
 //! A query is a prepared map with two cells on it; metres, cars and headings are the business of those who ask. So one
 //! map serves any number of queries, and a planner can be tested and measured without a scene.
 
-use super::Outcome;
+use super::{Detail, Outcome};
 use crate::map::{Cell, Occupancy};
 use crate::search::{Found, NodeId, PackedEntry, PackedScratch, SearchStats, WideEntry};
 #[cfg(feature = "complete")]
@@ -18,25 +18,6 @@ pub struct Query<'a> {
     pub start: Cell,
     /// Goal cell.
     pub goal: Cell,
-}
-
-/// A finer word for [`Outcome::NoPath`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Detail {
-    /// No path exists on this map.
-    Unreachable,
-    /// A path exists, but this planner's moves do not lead to it.
-    Stranded,
-}
-
-impl Detail {
-    /// The word as the JS API spells it.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Unreachable => "unreachable",
-            Self::Stranded => "stranded",
-        }
-    }
 }
 
 /// The answer of a grid planner.

@@ -38,7 +38,7 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
     let answer = object(&[
         ("planner", plan.planner.into()),
         ("outcome", plan.outcome.as_str().into()),
-        ("detail", plan.detail.map_or(JsValue::NULL, JsValue::from)),
+        ("detail", plan.detail.map_or(JsValue::NULL, |detail| detail.as_str().into())),
         ("reason", plan.reason.as_deref().map_or(JsValue::NULL, JsValue::from)),
         ("path", f64s(&poses)),
         ("directions", i8s(&plan.directions)),

@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use parkade::geometry::bspline::Spline;
 use parkade::geometry::{Point, Pose, math};
 use parkade::metrics::{Body, Verdict};
-use parkade::plan::{Options, Outcome, Planner};
+use parkade::plan::{Detail, Options, Outcome, Planner};
 use parkade::planners::cost_map::{Config, Report, Smooth, Smoothing, smooth};
 
 use parkade::scenario::catalog;
@@ -108,7 +108,7 @@ fn headings_are_kept_where_that_is_asked() {
         let mut planner = Planner::new("cost-map", &scene, settings.as_object().unwrap()).unwrap();
         let plan = planner.plan(Options::default());
         assert_eq!(plan.outcome, Outcome::Found);
-        assert_ne!(plan.detail, Some("smoothing-fell-back"));
+        assert_ne!(plan.detail, Some(Detail::SmoothingFellBack));
         assert_eq!(plan.check.verdict, Verdict::Ok);
         let middle = |pose: Pose| pose.advance(0.0, 1.4).point();
         let way = middle(plan.path[3]) - middle(plan.path[0]);

@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use parkade::metrics::Verdict;
 use parkade::metrics::road::RoadMetrics;
-use parkade::plan::{Options, Outcome, Plan, Planner};
+use parkade::plan::{Detail, Options, Outcome, Plan, Planner};
 use parkade::scenario::{Scenario, catalog};
 use serde_json::{Value, json};
 
@@ -108,7 +108,7 @@ fn the_margin_is_kept_or_less_is_said() {
         assert_eq!(road.margin, 0.8);
         assert!(road.margin_kept >= least - 2e-3, "{id}: {}", road.margin_kept);
         assert!(!all || plan.detail.is_none(), "{id}");
-        assert_eq!(plan.detail, (road.margin_kept < 0.798).then_some("less-margin"), "{id}");
+        assert_eq!(plan.detail, (road.margin_kept < 0.798).then_some(Detail::LessMargin), "{id}");
     }
     // Plain cells and the manuscript's curves are asked for none.
     let scene = catalog::scenario("road-narrow").unwrap();
@@ -124,7 +124,7 @@ fn the_margin_is_kept_or_less_is_said() {
         assert!(plan.check.min_clearance >= margin - 2e-3 && plan.detail.is_none(), "{margin}");
     }
     let plan = plan(&wide, &json!({ "margin": 5.0 }));
-    assert_eq!(plan.detail, Some("less-margin"));
+    assert_eq!(plan.detail, Some(Detail::LessMargin));
     let road = plan.metrics.road.unwrap();
     assert!((road.margin_kept - 2.3).abs() < 0.01 && road.margin_excluded);
 }

@@ -7,7 +7,9 @@ use std::f64::consts::PI;
 
 use parkade::geometry::{Point, Pose, math};
 use parkade::metrics::{Verdict, risk};
-use parkade::plan::{Ends, LayerData, Options, Outcome, PlanTrace, Planner, collision_risk, road_figures};
+use parkade::plan::{
+    Detail, Ends, LayerData, Options, Outcome, PlanTrace, Planner, collision_risk, road_figures,
+};
 use parkade::planners::registry::{Family, planners};
 use parkade::scenario::catalog;
 use serde_json::{Map, json};
@@ -25,7 +27,7 @@ fn plans_keep_what_the_table_promises() {
             let after = planned(id, &json!({ "base": base }));
             let new = after.metrics.road.unwrap();
             assert_eq!((after.outcome, after.check.verdict), (Outcome::Found, Verdict::Ok), "{id}");
-            assert_ne!(after.detail, Some("smoothing-fell-back"), "{id}");
+            assert_ne!(after.detail, Some(Detail::SmoothingFellBack), "{id}");
             assert!(new.turns_pruned <= turns, "{id}: {} turning points", new.turns_pruned);
             let (old, new) = (old.figures, new.figures);
             assert!(new.middle_length <= old.middle_length + 1e-6, "{id}: {new:?}");

@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use parkade::geometry::{Point, Pose, math};
 use parkade::metrics::{Body, Verdict};
-use parkade::plan::{Options, Outcome, Plan, Planner};
+use parkade::plan::{Detail, Options, Outcome, Plan, Planner};
 use parkade::scenario::Scenario;
 use parkade::scenario::resolve::Form;
 use serde_json::{Map, Value, json};
@@ -47,7 +47,7 @@ fn cone(x: f64, y: f64) -> Value {
 fn a_drawn_road_is_driven_in_its_lane_past_cones() {
     let free = planned(&scene(&json!({}), &[]), "cost-map");
     assert_eq!((free.outcome, free.check.verdict), (Outcome::Found, Verdict::Ok));
-    assert_ne!(free.detail, Some("smoothing-fell-back"));
+    assert_ne!(free.detail, Some(Detail::SmoothingFellBack));
     let figures = free.metrics.road.clone().unwrap().figures;
     assert!(figures.body_clearance_min > 0.4, "{figures:?}");
     let cones = [cone(30.0, 19.5), cone(30.0, 18.0), cone(59.0, 45.0)];

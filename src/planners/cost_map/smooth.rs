@@ -14,6 +14,8 @@
 //! over cubic splines C with control points Pᵢ, for points pⱼ on the chords ([`Spline`]). λ is found by bisection so
 //! that the root mean square distance is σ; so σ, a length that can be pictured, is the setting, and λ is not.
 
+use std::ops::Range;
+
 use super::RoadRasters;
 use crate::geometry::bspline::{Place, Rows, Spline};
 use crate::geometry::smoothing_spline::smoothing_spline;
@@ -78,44 +80,105 @@ pub fn smooth(
     how: &Smoothing,
     accept: impl Fn(&Spline) -> bool,
 ) -> Smooth {
-    let room = |p: Point| bilinear(ground, p) - how.radius;
-    let chords = |points: Vec<Point>| {
-        let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
-        Smooth { points, curvatures: Vec::new(), spline: None, clearance, fell_back: true }
-    };
-    let data = dense(line, DATA * how.scale);
-    let own = firmness(line, firm, DATA * how.scale);
-    let length = data.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
-    let places = (f64::from(how.places)).max((length * 2.0 / how.scale).ceil()).max(1.0) as u32;
+    let fit = Fit::new(ground, line, how);
+    let places = f64::from(fit.places);
     let is_straight = line.len() < 3 && how.ways == [None; 2];
-    if is_straight || length < SPACINGS[0] * how.scale {
-        let points = dense(line, length / f64::from(places).max(1.0));
-        return Smooth { curvatures: vec![0.0; points.len()], fell_back: line.len() > 2, ..chords(points) };
+    if is_straight || fit.length < SPACINGS[0] * how.scale {
+        let points = dense(line, fit.length / places.max(1.0));
+        return Smooth {
+            curvatures: vec![0.0; points.len()],
+            fell_back: line.len() > 2,
+            ..fit.chords(points)
+        };
     }
-    let mut at = vec![0.0];
-    for pair in data.windows(2) {
-        at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm() / length);
+    let weights = firmness(line, firm, DATA * how.scale);
+    let mut spacings = SPACINGS.into_iter().skip(usize::from(how.close));
+    let curve = spacings.find_map(|spacing| fit.finished(fit.drawn_closer(spacing, &weights)?, &accept));
+    let curve = curve.or_else(|| fit.turned_wider(weights, &accept));
+    curve.unwrap_or_else(|| fit.chords(dense(line, fit.length / places)))
+}
+
+/// Points of the line to which splines are fitted.
+struct Fit<'a> {
+    ground: &'a RoadRasters,
+    how: &'a Smoothing,
+    points: Vec<Point>,
+    /// Length of the line, metres.
+    length: f64,
+    /// Places at which a curve is measured.
+    places: u32,
+}
+
+impl<'a> Fit<'a> {
+    fn new(ground: &'a RoadRasters, line: &[Point], how: &'a Smoothing) -> Self {
+        let points = dense(line, DATA * how.scale);
+        let length = points.windows(2).fold(0.0, |sum, w| sum + (w[1] - w[0]).norm());
+        let places = (f64::from(how.places)).max((length * 2.0 / how.scale).ceil()).max(1.0) as u32;
+        Self { ground, how, points, length, places }
     }
-    let target = |p: Point| (room(p).min(how.margin.max(0.8)) - 0.02).max(0.25);
-    let targets: Vec<f64> = data.iter().map(|&p| target(p)).collect();
-    let slopes = how.ways.map(|way| way.map(|way| way * length));
-    let count = |spacing: f64| ((length / (spacing * how.scale)).ceil() as usize + 3).max(6);
-    let finish = |spline: Spline| {
-        let curve: Vec<Place> = (0..=places).map(|k| spline.at(f64::from(k) / f64::from(places))).collect();
+
+    /// Clearance beside the body whose middle is at a point, metres.
+    fn room(&self, p: Point) -> f64 {
+        bilinear(self.ground, p) - self.how.radius
+    }
+
+    /// The least of them.
+    fn clearance(&self, points: &[Point]) -> f64 {
+        points.iter().fold(f64::INFINITY, |least, &p| least.min(self.room(p)))
+    }
+
+    /// The answer without a curve.
+    fn chords(&self, points: Vec<Point>) -> Smooth {
+        let clearance = self.clearance(&points);
+        Smooth { points, curvatures: Vec::new(), spline: None, clearance, fell_back: true }
+    }
+
+    /// The points' stations as shares of the length.
+    fn stations(&self) -> Vec<f64> {
+        let mut at = vec![0.0];
+        for pair in self.points.windows(2) {
+            at.push(at[at.len() - 1] + (pair[1] - pair[0]).norm() / self.length);
+        }
+        at
+    }
+
+    /// The spline's equations, with control points this far apart, metres.
+    fn rows(&self, at: &[f64], spacing: f64) -> Rows {
+        Rows::new(at, ((self.length / (spacing * self.how.scale)).ceil() as usize + 3).max(6))
+    }
+
+    fn spline(&self, rows: &Rows, weights: &[f64], sigma: f64) -> Spline {
+        let slopes = self.how.ways.map(|way| way.map(|way| way * self.length));
+        Spline::fit(&self.points, rows, weights, sigma, slopes)
+    }
+
+    /// The points beside point i.
+    fn around(&self, i: usize, by: usize) -> Range<usize> {
+        i.saturating_sub(by)..(i + by + 1).min(self.points.len())
+    }
+
+    /// The curve, if it has room and its turns are wide enough.
+    fn finished(&self, spline: Spline, accept: &impl Fn(&Spline) -> bool) -> Option<Smooth> {
+        let share = |k: u32| f64::from(k) / f64::from(self.places);
+        let curve: Vec<Place> = (0..=self.places).map(|k| spline.at(share(k))).collect();
         let points: Vec<Point> = curve.iter().map(|p| p.point).collect();
         let curvatures: Vec<f64> = curve.iter().map(Place::curvature).collect();
-        let clearance = points.iter().fold(f64::INFINITY, |least, &p| least.min(room(p)));
-        let bends = curvatures.iter().all(|k| k.abs() <= how.max_curvature);
+        let clearance = self.clearance(&points);
+        let bends = curvatures.iter().all(|k| k.abs() <= self.how.max_curvature);
         let is_good = clearance >= LEAST && bends && accept(&spline);
         is_good.then_some(Smooth { points, curvatures, spline: Some(spline), clearance, fell_back: false })
-    };
-    for spacing in SPACINGS.into_iter().skip(usize::from(how.close)) {
-        let rows = Rows::new(&at, count(spacing));
-        let (mut weights, mut sigma) = (own.clone(), how.sigma);
+    }
+
+    /// Of some splines, each nearer to the points where the one before lacks room, that which lacks least.
+    fn drawn_closer(&self, spacing: f64, weights: &[f64]) -> Option<Spline> {
+        let target = |p: Point| (self.room(p).min(self.how.margin.max(0.8)) - 0.02).max(0.25);
+        let targets: Vec<f64> = self.points.iter().map(|&p| target(p)).collect();
+        let rows = self.rows(&self.stations(), spacing);
+        let (mut weights, mut sigma) = (weights.to_vec(), self.how.sigma);
         let mut best: Option<(f64, Spline)> = None;
         for _ in 0..ROUNDS {
-            let spline = Spline::fit(&data, &rows, &weights, sigma, slopes);
-            let rooms: Vec<f64> = spline.points(&rows).map(room).collect();
+            let spline = self.spline(&rows, &weights, sigma);
+            let rooms: Vec<f64> = spline.points(&rows).map(|p| self.room(p)).collect();
             let over = rooms.iter().zip(&targets).map(|(room, target)| room - target);
             let worst = over.fold(f64::INFINITY, f64::min);
             if best.as_ref().is_none_or(|b| worst > b.0) {
@@ -124,42 +187,44 @@ pub fn smooth(
             if worst >= 0.0 {
                 break;
             }
-            for near in (0..data.len()).filter(|&i| rooms[i] < targets[i]) {
-                for weight in &mut weights[near.saturating_sub(3)..(near + 4).min(data.len())] {
+            for near in (0..rooms.len()).filter(|&i| rooms[i] < targets[i]) {
+                for weight in &mut weights[self.around(near, 3)] {
                     *weight = (*weight * 4.0).min(1e4);
                 }
             }
             sigma *= 0.7;
         }
-        if let Some(curve) = best.and_then(|(_, spline)| finish(spline)) {
-            return curve;
-        }
+        best.map(|(_, spline)| spline)
     }
-    // Chords can turn where no car does. The points near such corners count less, until the curve is wide enough.
-    let rows = Rows::new(&at, count(SPACINGS[0]));
-    let reach = (0.5 / (how.max_curvature * DATA * how.scale)).ceil() as usize;
-    let (mut weights, mut sigma) = (own, how.sigma);
-    for _ in 0..2 * ROUNDS {
-        let spline = Spline::fit(&data, &rows, &weights, sigma, slopes);
-        let met: Vec<Place> = at.iter().map(|&u| spline.at(u)).collect();
-        let around = |i: usize, by: usize| i.saturating_sub(by)..(i + by + 1).min(data.len());
-        let mut factors = vec![1.0; data.len()];
-        for i in (0..data.len()).filter(|&i| met[i].curvature().abs() > 0.95 * how.max_curvature) {
-            factors[around(i, reach)].fill(0.25);
+
+    /// Chords can turn where no car does. The points near such corners count less, until the curve is wide enough.
+    fn turned_wider(&self, mut weights: Vec<f64>, accept: &impl Fn(&Spline) -> bool) -> Option<Smooth> {
+        let at = self.stations();
+        let rows = self.rows(&at, SPACINGS[0]);
+        let limit = self.how.max_curvature;
+        let reach = (0.5 / (limit * DATA * self.how.scale)).ceil() as usize;
+        let mut sigma = self.how.sigma;
+        for _ in 0..2 * ROUNDS {
+            let spline = self.spline(&rows, &weights, sigma);
+            let met: Vec<Place> = at.iter().map(|&u| spline.at(u)).collect();
+            let mut factors = vec![1.0; met.len()];
+            for i in (0..met.len()).filter(|&i| met[i].curvature().abs() > 0.95 * limit) {
+                factors[self.around(i, reach)].fill(0.25);
+            }
+            let is_tight = factors.contains(&0.25);
+            for i in (0..met.len()).filter(|&i| self.room(met[i].point) < LEAST) {
+                factors[self.around(i, 3)].fill(4.0);
+            }
+            if let Some(curve) = self.finished(spline, accept) {
+                return Some(curve);
+            }
+            for (weight, factor) in weights.iter_mut().zip(factors) {
+                *weight = (*weight * factor).clamp(1e-4, 1e4);
+            }
+            sigma *= if is_tight { 1.3 } else { 0.7 };
         }
-        let is_tight = factors.contains(&0.25);
-        for i in (0..data.len()).filter(|&i| room(met[i].point) < LEAST) {
-            factors[around(i, 3)].fill(4.0);
-        }
-        if let Some(curve) = finish(spline) {
-            return curve;
-        }
-        for (weight, factor) in weights.iter_mut().zip(factors) {
-            *weight = (*weight * factor).clamp(1e-4, 1e4);
-        }
-        sigma *= if is_tight { 1.3 } else { 0.7 };
+        None
     }
-    chords(dense(line, length / f64::from(places)))
 }
 
 /// The manuscript's smoothing, `splprep` with as many square metres as there are points: a root mean square distance of

@@ -19,11 +19,11 @@ use super::grid_astar;
 use super::grid_planner::grid_planner;
 use super::heuristics::{DistanceWeight, Heuristic as GridHeuristic};
 use super::moves::Neighbourhood;
-use super::query::{Detail, GridReport, GridScratch, Query};
+use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
 use crate::map::Corner;
-use crate::planners::Outcome;
+use crate::planners::{Detail, Outcome};
 use crate::search::one_way_deferring;
 use crate::search::{Observer, Watch};
 #[cfg(feature = "complete")]
