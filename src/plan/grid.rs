@@ -32,13 +32,15 @@ use crate::map::risk::PotentialField;
 #[cfg(feature = "complete")]
 use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
+#[cfg(feature = "complete")]
+use crate::planners::Detail;
+use crate::planners::Obstruction;
 use crate::planners::grid_planner::GridPlanner;
 use crate::planners::query::{GridReport, GridScratch};
 use crate::planners::registry::PlannerId;
 #[cfg(feature = "complete")]
 use crate::planners::risk_field;
 use crate::planners::settings::{Common, Inflation, Post};
-use crate::planners::{Detail, Obstruction};
 use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};
 use crate::scenario::Scenario;
 use crate::search::Watch;

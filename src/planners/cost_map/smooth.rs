@@ -122,7 +122,7 @@ impl<'a> Fit<'a> {
         bilinear(self.ground, p) - self.how.radius
     }
 
-    /// The least of them.
+    /// The least clearance at some points, metres.
     fn clearance(&self, points: &[Point]) -> f64 {
         points.iter().fold(f64::INFINITY, |least, &p| least.min(self.room(p)))
     }
@@ -152,7 +152,7 @@ impl<'a> Fit<'a> {
         Spline::fit(&self.points, rows, weights, sigma, slopes)
     }
 
-    /// The points beside point i.
+    /// Point i with so many of its neighbours on each side.
     fn around(&self, i: usize, by: usize) -> Range<usize> {
         i.saturating_sub(by)..(i + by + 1).min(self.points.len())
     }
