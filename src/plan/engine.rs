@@ -9,12 +9,8 @@
 
 #[cfg(feature = "complete")]
 use super::choices::Wish;
-use super::layers::LayerData;
 use super::outcome::Plan;
 use super::world::World;
-use super::{grid, hybrid};
-use crate::error::Error;
-use crate::planners::registry::{PlannerId, Settings};
 use crate::scenario::Scenario;
 #[cfg(feature = "complete")]
 use crate::search::ExpansionCallback;
@@ -51,6 +47,18 @@ impl<'a> Ask<'a> {
         let trace = trace.map(|trace| trace.telling(self.expansions));
         (trace, self.progress.take())
     }
+}
+
+/// The values of a [`Layer`](super::Layer).
+///
+/// Bytes are 0 or 1 in `occupancy` and a [`Safety`](crate::map::inflation::Safety) elsewhere. Floats are metres in
+/// `clearance`, and two numbers per cell (east, north) in `risk`.
+#[derive(Debug, Clone)]
+pub enum LayerData {
+    /// One byte per cell.
+    Bytes(Vec<u8>),
+    /// One or two numbers per cell.
+    Floats(Vec<f32>),
 }
 
 /// A family's planner on one scene.
@@ -116,29 +124,4 @@ pub(super) trait Engine: Send {
     fn continue_along(&mut self, poses: &[Pose], gears: &[i8], curvatures: &[f64]) {
         let _ = (poses, gears, curvatures);
     }
-}
-
-/// The engine of a planner's family on a scene.
-///
-/// # Errors
-/// [`crate::error::ErrorCode`] `Config` or `Input` where the family refuses the scene.
-pub(super) fn engine(
-    planner: PlannerId,
-    settings: Settings,
-    scenario: &Scenario,
-    world: &World,
-) -> Result<Box<dyn Engine>, Error> {
-    #[cfg(not(feature = "complete"))]
-    let _ = scenario;
-    Ok(match settings {
-        Settings::Grid(search) => Box::new(grid::GridEngine::new(world, planner, search)?),
-        Settings::Hybrid(config) => Box::new(hybrid::HybridEngine::new(
-            world,
-            #[cfg(feature = "complete")]
-            planner,
-            config,
-        )?),
-        #[cfg(feature = "complete")]
-        Settings::Road(config) => Box::new(super::road::RoadEngine::new(scenario, world, config)),
-    })
 }

@@ -14,8 +14,7 @@
 //! the check of a car: it has corners, and the search knew a point or a disc. The check says so, and the outcome stays
 //! `found`.
 
-use super::engine::{Ask, Engine};
-use super::layers::LayerData;
+use super::engine::{Ask, Engine, LayerData};
 use super::measured::{Driven, NEAR, STEP, measured};
 #[cfg(feature = "complete")]
 use super::outcome::Recorded;

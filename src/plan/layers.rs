@@ -5,6 +5,7 @@
 //! are in row-major order from the south-western cell, x fastest: cell (x, y) is item `y * width + x`, as in the map.
 
 use super::Planner;
+use super::engine::LayerData;
 use super::world::World;
 use crate::error::{Error, ErrorCode};
 use crate::map::{distance, inflation};
@@ -18,18 +19,6 @@ pub struct Layer {
     pub height: u32,
     /// The values.
     pub data: LayerData,
-}
-
-/// The values of a [`Layer`].
-///
-/// Bytes are 0 or 1 in `occupancy` and a [`Safety`](crate::map::inflation::Safety) elsewhere. Floats are metres in
-/// `clearance`, and two numbers per cell (east, north) in `risk`.
-#[derive(Debug, Clone)]
-pub enum LayerData {
-    /// One byte per cell.
-    Bytes(Vec<u8>),
-    /// One or two numbers per cell.
-    Floats(Vec<f32>),
 }
 
 impl Planner {

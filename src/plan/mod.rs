@@ -45,7 +45,8 @@ mod world;
 
 #[cfg(feature = "complete")]
 pub use choices::Improved;
-pub use layers::{Layer, LayerData};
+pub use engine::LayerData;
+pub use layers::Layer;
 pub use outcome::{Detail, GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
 #[cfg(feature = "complete")]
 pub use outcome::{Member, Recorded};
@@ -66,7 +67,7 @@ use serde_json::{Map, Value};
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
-use crate::planners::registry::{Family, PlannerId, default_config};
+use crate::planners::registry::{Family, PlannerId, Settings, default_config};
 #[cfg(feature = "complete")]
 use crate::scenario::Goals;
 use crate::scenario::Scenario;
@@ -76,7 +77,7 @@ use crate::search::Progress;
 pub use crate::search::{ExpansionCallback, Expansions};
 #[cfg(feature = "complete")]
 use crate::{geometry::Point, planners::risk_field::Explanation};
-use engine::{Ask, Engine, engine};
+use engine::{Ask, Engine};
 use world::World;
 
 /// Steps of a search that are recorded with all they did, where no other number is asked for.
@@ -287,4 +288,29 @@ impl Planner {
         }
         Ok(self.engine.explain(&self.world, Point::new(x, y)))
     }
+}
+
+/// The engine of a planner's family on a scene.
+///
+/// # Errors
+/// [`ErrorCode::Config`] or [`ErrorCode::Input`] where the family refuses the scene.
+fn engine(
+    planner: PlannerId,
+    settings: Settings,
+    scenario: &Scenario,
+    world: &World,
+) -> Result<Box<dyn Engine>, Error> {
+    #[cfg(not(feature = "complete"))]
+    let _ = scenario;
+    Ok(match settings {
+        Settings::Grid(search) => Box::new(grid::GridEngine::new(world, planner, search)?),
+        Settings::Hybrid(config) => Box::new(hybrid::HybridEngine::new(
+            world,
+            #[cfg(feature = "complete")]
+            planner,
+            config,
+        )?),
+        #[cfg(feature = "complete")]
+        Settings::Road(config) => Box::new(road::RoadEngine::new(scenario, world, config)),
+    })
 }

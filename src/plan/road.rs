@@ -9,8 +9,7 @@
 //! second among all cells with room for the car, where short room is dear. Counters add up, and the trace has both. A
 //! plan that keeps less than the margin says so (`less-margin`) and, where it can be proven, that none keeps it.
 
-use super::engine::{Ask, Engine};
-use super::layers::LayerData;
+use super::engine::{Ask, Engine, LayerData};
 use super::measured::{Driven, NEAR, STEP, measured};
 use super::outcome::{Detail, Outcome, Plan, PlanTrace, Recorded, Stats};
 use super::road_curve::{Curve, ENDS, along};

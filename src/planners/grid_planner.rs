@@ -2,7 +2,7 @@
 
 use super::parameters::Parameters;
 use super::query::{GridReport, GridScratch, Query};
-use super::risk_field;
+use super::risk_field::Config as RiskFieldConfig;
 use super::settings::Common;
 #[cfg(feature = "complete")]
 use crate::map::Bits;
@@ -34,7 +34,7 @@ pub(crate) trait GridPlanner: Parameters + Send {
     fn record(&self, at: Prepared, limit: usize) -> Recording;
 
     /// The settings of the risk field that leads the search; `None` without one.
-    fn risk_field(&self) -> Option<&risk_field::Config> {
+    fn risk_field(&self) -> Option<&RiskFieldConfig> {
         None
     }
 
