@@ -5,6 +5,7 @@
 //! cargo run --release --example tight [all|promised|KIND] [count] [first seed] [members] [work] \
 //!     [verbose] [setting=value …]
 //! cargo run --release --example tight monotone [count] [first seed] [setting=value …]
+//! cargo run --release --example tight fewest [count] [first seed] [KIND]
 //! cargo run --release --example tight json [scenes per cell] [every]
 //! ```
 //!
@@ -12,12 +13,14 @@
 //! asks, for each scene without a path, whether a single lattice with a far larger budget finds one. `work`
 //! compares the planner's collision checks for each path with those of the best single lattice. `verbose` prints a
 //! line a scene. `monotone` makes each kerb slot longer bit by bit and counts the lengths at which the car changes gear
-//! more than once more often than in a shorter one. `json`, for `cargo xtask bench tight`: how tight it can be over two
-//! sizes, every so-many-th cell, and 100 scenes of each kind.
+//! more than once more often than in a shorter one. `fewest` asks for the fewest gear changes, in kerb slots with at
+//! least 1.5 m to spare unless it is given a kind, and prints where a single search takes fewer. `json`, for
+//! `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell, and 100 scenes of each kind.
 
 mod answer;
 #[path = "../clock/mod.rs"]
 mod clock;
+mod fewest;
 mod maps;
 mod members;
 mod monotone;
@@ -45,6 +48,9 @@ const PROMISED: [Kind; 2] = [
     ("kerb +0.85..1.2", |car, seed| kerb(car, seed, (0.85, 1.2), (4.2, 6.5))),
 ];
 
+/// Kerb slots in which no single search may take fewer gear changes than what is found for `prefer`.
+const ROOMY: [Kind; 1] = [("kerb +1.5..2.5", |car, seed| kerb(car, seed, (1.5, 2.5), (4.2, 6.5)))];
+
 fn main() {
     let (settings, words): (Vec<String>, Vec<String>) =
         std::env::args().skip(1).partition(|argument| argument.contains('='));
@@ -68,6 +74,11 @@ fn main() {
     if what == "monotone" {
         return monotone::print(&run);
     }
+    if what == "fewest" {
+        let named =
+            |name: &str| KINDS.into_iter().filter(|(kind, _)| *kind == name || name == "all").collect();
+        return fewest::print(&run, &words.get(3).map_or(ROOMY.to_vec(), |kind| named(kind)), &CARS);
+    }
     let (kinds, cars): (Vec<_>, _) = match what {
         "all" => (KINDS.to_vec(), &CARS[..]),
         "promised" => (PROMISED.to_vec(), &CARS[..1]),
@@ -75,7 +86,7 @@ fn main() {
     };
     assert!(
         !kinds.is_empty(),
-        "there are all, promised, monotone, json and {}",
+        "there are all, promised, monotone, fewest, json and {}",
         KINDS.map(|(name, _)| name).join(", ")
     );
     run.table(&kinds, cars);

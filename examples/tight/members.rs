@@ -10,7 +10,7 @@ use crate::tight_scenes::Scene;
 const BUDGET: u32 = 20 * 60_000;
 
 /// Cells in metres; heading bins in degrees; steps in metres; steering angles per side; weight: the planner's levels.
-const LEVELS: [(f64, f64, f64, u32, f64); 5] = [
+pub(crate) const LEVELS: [(f64, f64, f64, u32, f64); 5] = [
     (0.5, 5.0, 0.8, 2, 1.0),
     (0.15, 2.0, 0.25, 1, 2.0),
     (0.1, 1.0, 0.15, 1, 2.0),

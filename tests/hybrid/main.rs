@@ -5,6 +5,10 @@
 mod choices;
 #[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
 mod drags;
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[path = "../freedom/mod.rs"]
+#[expect(dead_code, reason = "some pairs are only measured")]
+mod freedom;
 mod limits;
 mod lot;
 #[cfg(feature = "complete")]

@@ -215,3 +215,49 @@ fn every_competition_case_is_solved_with_hardly_more_gear_changes_than_known() {
         println!("skipped: no tpcap/Case*.csv in {folder}; they are in libai1943/TPCAP_benchmarks");
     }
 }
+
+/// With prices of their own, and with less margin, no answer costs more by the asked measure than the usual path does.
+/// In the garage of seed 302 an obstacle cost of 5 left the search without a path.
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[test]
+fn prices_and_less_margin_cost_no_more_than_the_usual_path() {
+    use crate::freedom::{MARGINS, PRICES, Pair, Question};
+    use crate::tight_scenes::garage;
+    let mut compared = 0;
+    for seed in 301..=303 {
+        for make in [cluttered, garage] {
+            let Scene { name, vehicle, obstacles, start, goal, .. } =
+                &make([&Vehicle::SEDAN, &Vehicle::PAPER][seed as usize % 2], seed);
+            let question = Question { obstacles, vehicle: *vehicle, start: *start, goal: *goal };
+            let mut hold = |pair: &Pair, most: f64| {
+                let Some(one) = pair.compare(question, Config::default()) else { return };
+                compared += 1;
+                assert!(one.ratio <= most, "{name}: {}, {}", pair.name, one.ratio);
+            };
+            PRICES.iter().for_each(|pair| hold(pair, 1.0 + 1e-9));
+            MARGINS.iter().for_each(|pair| hold(pair, 1.01));
+        }
+    }
+    assert!(compared >= 30, "{compared}");
+}
+
+/// Fine lattices from either end, with a centimetre, find two gear changes where others find three or four.
+#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[test]
+fn the_fewest_gear_changes_are_found_by_creeping_too() {
+    use parkade::planners::hybrid::{Prefer, Report, choices};
+    for (car, seed) in [(&Vehicle::SEDAN, 8104), (&Vehicle::SEDAN, 8134)] {
+        let Scene { name, vehicle, obstacles, start, goal, .. } = &kerb(car, seed, (1.5, 2.5), (4.2, 6.5));
+        let query = Query { obstacles, vehicle, start: *start, goal: *goal };
+        let (config, mut scratch) = (Config::default(), Scratch::default());
+        let first = plan(&query, &config, &mut scratch, false, &mut None);
+        let mut fewest = arcs::direction_changes(&first.arcs);
+        let mut offer = |report: Report| {
+            fewest = fewest.min(arcs::direction_changes(&report.arcs));
+            std::ops::ControlFlow::Continue(())
+        };
+        let wish = (&first, Some(Prefer::FewestChanges));
+        choices(&query, (&config, &[]), wish, (&mut scratch, &mut None), &mut offer);
+        assert!(fewest <= 2, "{name}: {fewest}");
+    }
+}

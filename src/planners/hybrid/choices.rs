@@ -19,9 +19,9 @@
 
 use core::ops::ControlFlow;
 
-use super::config::{Config, Level, SearchFrom};
+use super::config::{Config, FIRST_SHUFFLING_LEVEL, Level, SearchFrom};
 use super::portfolio::{COMFORTABLE_MARGIN, Floods};
-use super::profile::Profile;
+use super::profile::{FEW_CHANGES, Profile};
 use super::question::{MIN_MARGIN, Query, Scratch, Search, Work};
 use super::report::{Report, Status};
 use super::widest::{self, GAP_PARTS, MARGIN_SHARES};
@@ -59,6 +59,10 @@ const FEWER_CHANGES_MARGINS: [f64; 3] = [COMFORTABLE_MARGIN, 0.01, MIN_MARGIN];
 const EXTRA_CHANGE_COST: f64 = 5.0;
 /// … and expansions of each such search.
 const PRICED_EXPANSIONS: u32 = 20_000;
+/// A car that creeps into a slot keeps this much, metres: with it fine lattices are searched from both ends.
+const CREEPING_MARGIN: f64 = 0.01;
+/// Expansions of each such search.
+const CREEPING_EXPANSIONS: u32 = 60_000;
 /// Expansions of each level's search for a shorter or a quicker path.
 const BETTER_EXPANSIONS: [u32; 2] = [10_000, 20_000];
 /// The price of a gear change where fewer are looked for: this many metres …
@@ -190,6 +194,33 @@ impl Run<'_, '_> {
                     self.fewer_by_price(number, margin)?;
                 }
                 self.layers(number, margin, false)?;
+            }
+            if creeps && self.floods.margin(margin) == CREEPING_MARGIN {
+                self.creep(margin)?;
+            }
+        }
+        Goes::Continue(())
+    }
+
+    /// A path with few gear changes where there is none yet, on the lattices that find one in a slot with hardly any
+    /// margin: each finds it in some slots and misses it in others. From the start they find other ways than from
+    /// the slot.
+    fn creep(&mut self, margin: usize) -> Goes {
+        let config = *self.search.config;
+        if config.levels() < FIRST_SHUFFLING_LEVEL {
+            return Goes::Continue(());
+        }
+        let [coarse, fine] = [2, FIRST_SHUFFLING_LEVEL - 1].map(|number| (config.level(number), number));
+        let finer = (fine.0.refined(1, &config), fine.1);
+        for ((level, number), is_swapped) in [(finer, false), (coarse, true), (coarse, false), (fine, true)] {
+            if self.changes <= FEW_CHANGES {
+                break;
+            }
+            // A curve from every state: the last change is often the one that a curve saves.
+            let level = Level { weight: fine.0.weight, connect_every: 1, ..level };
+            // From the start a search leads to one goal.
+            if !is_swapped || self.search.goals.is_empty() {
+                self.attempt(&config, (level, number, CREEPING_EXPANSIONS), margin, is_swapped)?;
             }
         }
         Goes::Continue(())

@@ -43,6 +43,8 @@ mod question;
 #[cfg(feature = "complete")]
 mod recording;
 mod report;
+#[cfg(feature = "complete")]
+mod rivals;
 mod shortcut;
 mod state;
 mod state_index;
@@ -102,8 +104,22 @@ const STUCK_TRAVEL: f64 = 1.0;
 /// let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
 /// assert_eq!(report.status, Status::Found);
 /// ```
-#[cfg_attr(feature = "complete", inline(never))]
 pub fn plan(
+    query: &Query,
+    config: &Config,
+    scratch: &mut Scratch,
+    trace: bool,
+    progress: &mut Option<Progress>,
+) -> Report {
+    let report = search_alone(query, config, scratch, trace, progress);
+    #[cfg(feature = "complete")]
+    let report = rivals::compare(query, config, report, (scratch, trace, progress));
+    report
+}
+
+/// The answer of the portfolio under these settings alone.
+#[cfg_attr(feature = "complete", inline(never))]
+fn search_alone(
     query: &Query,
     config: &Config,
     scratch: &mut Scratch,

@@ -1,0 +1,116 @@
+//! An answer held against what other settings find, by the measure that is asked for.
+//!
+//! Prices other than the usual ones lead the search elsewhere: it may spend its budget near obstacles that are dear, or
+//! end with a path that costs more, by these very prices, than the one of a planner that knows nothing of them. Less
+//! margin leads the finer lattices elsewhere, too. So the answer to such settings is held against that of the usual
+//! prices and, where the coarsest level gave no path, against that of the usual margin; the cheaper path counts.
+
+use super::config::Config;
+use super::cost::CostModel;
+use super::profile::Profile;
+use super::question::{MIN_MARGIN, Query, Scratch};
+use super::report::{Report, Status};
+use super::search_alone;
+use crate::search::Progress;
+use crate::vehicle::collision::CollisionChecker;
+
+impl Config {
+    /// The prices by which paths are compared, in metres.
+    fn prices(&self) -> [f64; 5] {
+        let config = self.with_profile();
+        [
+            config.reverse_cost,
+            config.direction_change_cost,
+            config.steer_cost,
+            config.steer_change_cost,
+            config.obstacle_cost,
+        ]
+    }
+
+    /// The same with the usual prices.
+    fn with_usual_prices(self) -> Self {
+        let Self {
+            reverse_cost,
+            direction_change_cost,
+            steer_cost,
+            steer_change_cost,
+            obstacle_cost,
+            obstacle_distance,
+            ..
+        } = Self::default();
+        Self {
+            profile: Profile::Practical,
+            reverse_cost,
+            direction_change_cost,
+            steer_cost,
+            steer_change_cost,
+            obstacle_cost,
+            obstacle_distance,
+            ..self
+        }
+    }
+
+    /// The settings whose answers this one's is held against.
+    fn rivals(&self, report: &Report) -> impl Iterator<Item = Self> + use<> {
+        // A single search was asked for, or the first connection.
+        let is_whole = self.ladder && !self.first_shot;
+        let usual = Self::default();
+        let is_priced = is_whole && self.prices() != usual.prices();
+        let is_close = is_whole && self.margin < usual.margin && (report.level > 0 || report.arcs.is_empty());
+        let priced = is_priced.then(|| self.with_usual_prices());
+        priced.into_iter().chain(is_close.then_some(Self { margin: usual.margin, ..*self }))
+    }
+}
+
+/// The cheapest of an answer and its rivals. Its counters are those of all searches.
+pub(super) fn compare(
+    query: &Query,
+    config: &Config,
+    mut report: Report,
+    (scratch, trace, progress): (&mut Scratch, bool, &mut Option<Progress>),
+) -> Report {
+    let is_open = matches!(report.status, Status::BudgetExhausted(_) | Status::VerificationFailed);
+    if report.expanded == 0 || (report.arcs.is_empty() && !is_open) {
+        return report;
+    }
+    let asked = config.margin.max(MIN_MARGIN);
+    for rival in config.rivals(&report) {
+        if progress.as_ref().is_some_and(Progress::is_stopped) {
+            break;
+        }
+        if let Some(progress) = progress {
+            progress.continue_after(report.expanded);
+        }
+        let mut other = search_alone(query, &rival, scratch, trace, progress);
+        other.margin = other.margin.min(asked);
+        other.cost = cost(query, config, &other);
+        let is_better = !other.arcs.is_empty()
+            && (report.arcs.is_empty()
+                || other.margin > report.margin
+                || (other.margin == report.margin && other.cost < report.cost));
+        let checks = report.collision_checks.saturating_add(other.collision_checks);
+        let sum = Report {
+            expanded: report.expanded.saturating_add(other.expanded),
+            generated: report.generated.saturating_add(other.generated),
+            pushes: report.pushes.saturating_add(other.pushes),
+            open_peak: report.open_peak.max(other.open_peak),
+            bytes: report.bytes.max(other.bytes),
+            ..report.counters()
+        };
+        let status = if is_better { Status::Suboptimal } else { report.status };
+        let best = if is_better { other } else { report };
+        report = Report { status, collision_checks: checks, ..sum.with_path_of(best) };
+    }
+    report
+}
+
+/// What a path costs under the settings asked for.
+fn cost(query: &Query, config: &Config, report: &Report) -> f64 {
+    let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
+    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
+    CostModel::driven(config, query.vehicle.min_turning_radius(), [start, goal]).path(
+        &probe,
+        start,
+        &report.arcs,
+    )
+}

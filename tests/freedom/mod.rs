@@ -1,0 +1,153 @@
+//! Whether more freedom costs more: the same scene planned under settings that are asked for and under others whose
+//! path is allowed there too. The answer should cost no more, by the asked measure, than that path.
+
+use parkade::geometry::arcs::{self, Arc};
+use parkade::geometry::{Pose, math};
+use parkade::planners::hybrid::{Config, Profile, Query, Report, Scratch, plan};
+use parkade::vehicle::Vehicle;
+use parkade::vehicle::collision::{CollisionChecker, Obstacles};
+
+/// A question without settings.
+#[derive(Clone, Copy)]
+pub(crate) struct Question<'a> {
+    pub(crate) obstacles: &'a Obstacles,
+    pub(crate) vehicle: Vehicle,
+    pub(crate) start: Pose,
+    pub(crate) goal: Pose,
+}
+
+/// What is asked for, and whose path is allowed there too.
+#[derive(Clone, Copy)]
+pub(crate) struct Pair {
+    pub(crate) name: &'static str,
+    asked: fn(Config, Vehicle) -> (Config, Vehicle),
+    rival: fn(Config, Vehicle) -> (Config, Vehicle),
+}
+
+const fn pair(
+    name: &'static str,
+    asked: fn(Config, Vehicle) -> (Config, Vehicle),
+    rival: fn(Config, Vehicle) -> (Config, Vehicle),
+) -> Pair {
+    Pair { name, asked, rival }
+}
+
+/// Settings and car as they are by default.
+fn usual(config: Config, car: Vehicle) -> (Config, Vehicle) {
+    (config, car)
+}
+
+/// Prices against the usual ones: never dearer.
+pub(crate) const PRICES: [Pair; 7] = [
+    pair("obstacleCost 1 against none", |c, v| (Config { obstacle_cost: 1.0, ..c }, v), usual),
+    pair("obstacleCost 5 against none", |c, v| (Config { obstacle_cost: 5.0, ..c }, v), usual),
+    pair("comfort against practical", |c, v| (Config { profile: Profile::Comfort, ..c }, v), usual),
+    pair("classic against practical", |c, v| (Config { profile: Profile::Classic, ..c }, v), usual),
+    pair("reverseCost 2 against 1", |c, v| (Config { reverse_cost: 2.0, ..c }, v), usual),
+    pair("directionChangeCost 5 against 1", |c, v| (Config { direction_change_cost: 5.0, ..c }, v), usual),
+    pair("steerChangeCost 1 against none", |c, v| (Config { steer_change_cost: 1.0, ..c }, v), usual),
+];
+
+/// Less margin: hardly ever dearer.
+pub(crate) const MARGINS: [Pair; 2] = [
+    pair("margin 0 against 10 cm", |c, v| (Config { margin: 0.0, ..c }, v), usual),
+    pair("margin 3 cm against 10 cm", |c, v| (Config { margin: 0.03, ..c }, v), usual),
+];
+
+/// What no search of the asked settings is held against.
+pub(crate) const OTHERS: [Pair; 6] = [
+    pair("margin 10 cm against 30 cm", usual, |c, v| (Config { margin: 0.3, ..c }, v)),
+    pair("shortest against practical", |c, v| (Config { profile: Profile::Shortest, ..c }, v), usual),
+    pair("practical against shortest", usual, |c, v| (Config { profile: Profile::Shortest, ..c }, v)),
+    pair("practical against comfort", usual, |c, v| (Config { profile: Profile::Comfort, ..c }, v)),
+    pair(
+        "maxDirectionChanges 5 against 1",
+        |c, v| (Config { max_direction_changes: 5, ..c }, v),
+        |c, v| (Config { max_direction_changes: 1, ..c }, v),
+    ),
+    pair("maxSteer a tenth larger", |c, v| (c, Vehicle { max_steer: v.max_steer * 1.1, ..v }), usual),
+];
+
+/// What became of one pair in one scene.
+pub(crate) struct Compared {
+    /// Cost of the answer for each metre that the rival's path costs under the same settings; infinite without one.
+    pub(crate) ratio: f64,
+    /// Levels of the portfolio that gave both.
+    pub(crate) levels: [u32; 2],
+}
+
+impl Pair {
+    /// Plans both; nothing where the rival has no path, or one that the asked settings do not allow.
+    pub(crate) fn compare(&self, question: Question, base: Config) -> Option<Compared> {
+        let answer = |settings: fn(Config, Vehicle) -> (Config, Vehicle)| {
+            let (config, vehicle) = settings(base, question.vehicle);
+            let Question { obstacles, start, goal, .. } = question;
+            let query = Query { obstacles, vehicle: &vehicle, start, goal };
+            (plan(&query, &config, &mut Scratch::default(), false, &mut None), config, vehicle)
+        };
+        let (rival, ..) = answer(self.rival);
+        let (own, config, vehicle) = answer(self.asked);
+        if rival.arcs.is_empty() || rival.margin + 1e-9 < config.margin.min(own.margin) {
+            return None;
+        }
+        let levels = [own.level, rival.level];
+        let paid = |report: &Report| cost(&config, &vehicle, question, &report.arcs);
+        if own.arcs.is_empty() {
+            return Some(Compared { ratio: f64::INFINITY, levels });
+        }
+        let counted = paid(&own);
+        assert!((counted - own.cost).abs() < 1e-6 * own.cost, "{}: {counted}, told {}", self.name, own.cost);
+        // What keeps more than it was asked for is no loss.
+        let keeps_more = own.margin > rival.margin + 1e-9;
+        (!keeps_more).then(|| Compared { ratio: own.cost / paid(&rival), levels })
+    }
+}
+
+/// Sampling of a path's places, metres.
+const STEP: f64 = 0.5;
+/// Reverse driving nearer to an end belongs to the manoeuvre there, metres.
+const MANOEUVRE: f64 = 10.0;
+
+/// What a path costs under some settings, by the formula in the documentation of hybrid A*.
+fn cost(config: &Config, vehicle: &Vehicle, question: Question, path: &[Arc]) -> f64 {
+    let Question { obstacles, start, goal, .. } = question;
+    let ([reverse, change, steer, steer_change, obstacle, distance], has_extras) = match config.profile {
+        Profile::Comfort => ([1.0, 2.0, 0.0, 0.1, 1.0, 0.5], true),
+        Profile::Classic => ([1.5, 0.0, 0.25, 0.9, 0.0, 0.5], false),
+        profile => {
+            let Config { reverse_cost, direction_change_cost, steer_cost, steer_change_cost, .. } = *config;
+            let places = [config.obstacle_cost, config.obstacle_distance];
+            (
+                [reverse_cost, direction_change_cost, steer_cost, steer_change_cost, places[0], places[1]],
+                profile == Profile::Practical,
+            )
+        }
+    };
+    let [far_reverse, many_changes] = if has_extras { [0.5, 4.0] } else { [0.0; 2] };
+    let radius = vehicle.min_turning_radius();
+    let probe = CollisionChecker::new(obstacles, vehicle);
+    let [start, goal] = [start, goal].map(|pose| obstacles.local(pose));
+    let (mut pose, mut before) = (start, 0.0);
+    let changes = arcs::direction_changes(path);
+    let mut sum = f64::from(changes) * change + f64::from(changes.saturating_sub(2)) * many_changes;
+    for arc in path {
+        let is_reverse = arc.length < 0.0;
+        let weight = if is_reverse { reverse } else { 1.0 };
+        sum += arc.length.abs() * (weight + steer * arc.curvature.abs() * radius);
+        sum += steer_change * (arc.curvature - before).abs() * radius;
+        let steps = (arc.length.abs() / STEP).ceil().max(1.0);
+        for k in 1..=steps as u32 {
+            let at = pose.advance(arc.curvature, arc.length / steps * f64::from(k));
+            let near = (1.0 - probe.clearance(at, distance) / distance).max(0.0);
+            let is_far = [start, goal].iter().all(|end| {
+                let apart = at.point() - end.point();
+                math::hypot(apart.x, apart.y) > MANOEUVRE
+            });
+            let far = if is_far && is_reverse { far_reverse } else { 0.0 };
+            sum += (obstacle * near * near + far) * arc.length.abs() / steps;
+        }
+        pose = pose.advance(arc.curvature, arc.length);
+        before = arc.curvature;
+    }
+    sum
+}
