@@ -111,6 +111,22 @@ describe("reasons in Chinese", () => {
     expect(chinese.filter((one) => /\b(must|the|at|most|that|this|Left|Outlines)\b|⟨|\{/.test(one))).toEqual([]);
   });
 
+  it("are there for every refusal of the page itself, whatever its values are", () => {
+    const folder = join(ROOT, "www/src"),
+      texts = readdirSync(folder, { recursive: true, encoding: "utf8" })
+        .filter((name) => name.endsWith(".ts"))
+        .flatMap((name) => [...readFileSync(join(folder, name), "utf8").matchAll(/new Refusal\(\s*rule`([^`]+)`/g)])
+        .map(([, text]) => text!.replaceAll(/\$\{[^}]*\}/g, "{}"));
+    expect(texts.length).toBeGreaterThan(3);
+    for (const template of texts) {
+      const values = (template.match(/\{\}/g) ?? []).map((_, i) => `<${i}>`),
+        chinese = chineseReason({ message: template, template, values });
+      expect(chinese, template).toMatch(/[\u4e00-\u9fff]/);
+      expect(chinese, template).not.toMatch(/\b(has|is|no|not|the)\b|\{|⟨/);
+      for (const value of values) expect(chinese, template).toContain(value);
+    }
+  });
+
   it("are there for what is too large for a page", () => {
     const start = { x: 0, y: 0, heading: 0 },
       map = { origin: [0, 0], width: 9, height: 9, resolution: 1 };

@@ -1,4 +1,6 @@
 /** Moving pictures as video, by the browser's own encoder. */
+import { Refusal } from "../i18n/refusal";
+import { rule } from "../i18n/rule";
 import type { Container, Movie } from "./movie-format";
 
 /**
@@ -47,7 +49,7 @@ export async function encodeVideo(
 ): Promise<Blob | null> {
   const { frames, rate, draw } = movie,
     found = await encoding(format, movie);
-  if (!found) throw new Error("This browser encodes no such video.");
+  if (!found) throw new Refusal(rule`This browser encodes no such video.`);
   const muxer = new (await import("./movie-muxer")).Muxer(format);
   await muxer.start(found.name, rate);
   let failure: unknown = null,

@@ -1,4 +1,6 @@
 /** Scenes as files. */
+import { Refusal } from "../i18n/refusal";
+import { rule } from "../i18n/rule";
 import type { GivenScenario, Scenario } from "./scenario";
 
 /** A scene file as people read it: two spaces, a closing newline. */
@@ -49,7 +51,8 @@ export function checkScene(value: unknown): Scenario {
     throw new Error("This scene has no goal: a pose, a slot, or a set of them is expected.");
   }
   for (const key of ["obstacles", "slots", "costs"]) {
-    if (value[key] !== undefined && !Array.isArray(value[key])) throw new Error(`This scene's ${key} are not a list.`);
+    if (value[key] !== undefined && !Array.isArray(value[key]))
+      throw new Refusal(rule`This scene's ${key} are not a list.`);
   }
   return value as unknown as Scenario;
 }
