@@ -2,12 +2,12 @@
 // `parkade audit`, `parkade vehicles` and `parkade lot`.
 import { availableParallelism } from "node:os";
 import { extname } from "node:path";
-import { Tinypool } from "tinypool";
 import { auditInParts, generateLot, lotPresets, sceneGeometry, toSVG, vehicles as library } from "../node.js";
 import { auditOptions } from "./audit-options.js";
 import { choice, count, numerics, onlyOptions, scene as read } from "./input.js";
 import { table, toJSON, write } from "./output.js";
 import { Refused, byOption } from "./refusal.js";
+import { startThreads } from "./threads.js";
 
 /** @typedef {import("../index.js").AuditRow} AuditRow */
 
@@ -43,14 +43,7 @@ export async function audit(places, values, module) {
  * @param {boolean} tells
  */
 async function inThreads(scene, options, jobs, module, tells) {
-  const filename = new URL("./audit-worker.js", import.meta.url).href;
-  const pool = new Tinypool({
-    filename,
-    minThreads: jobs,
-    maxThreads: jobs,
-    workerData: { module },
-    isolateWorkers: false,
-  });
+  const pool = startThreads("./audit-worker.js", jobs, module);
   const isLive = tells && process.stderr.isTTY === true;
   try {
     return await auditInParts(scene, options, (scene, options) => pool.run({ scene, options }), {

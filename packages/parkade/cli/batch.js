@@ -3,14 +3,15 @@
 import { appendFileSync } from "node:fs";
 import { stat } from "node:fs/promises";
 import { availableParallelism } from "node:os";
-import { Tinypool } from "tinypool";
 import { version } from "../node.js";
 import { auditOptions } from "./audit-options.js";
 import { choice, count, plannerIds, seconds, settings, sweep } from "./input.js";
 import { Refused, explained, reason, unwritten } from "./refusal.js";
 import { digest, hashOf, isFinal, isShort, mend, outline, questionOf, read } from "./results.js";
 import { scenes } from "./scenes.js";
+import { startThreads } from "./threads.js";
 
+/** @typedef {import("tinypool").Tinypool} Tinypool */
 /** @typedef {import("./results.js").Result} Result */
 /** @typedef {import("./results.js").Extras} Extras */
 /**
@@ -55,14 +56,7 @@ export async function batch(places, values, module) {
     if (!(await stat(place).catch(() => null))) throw new Refused(`${place}: no such file or folder`);
 
   // Threads start while the scenes are listed.
-  const filename = new URL("./worker.js", import.meta.url).href;
-  const pool = new Tinypool({
-    filename,
-    minThreads: jobs,
-    maxThreads: jobs,
-    workerData: { module },
-    isolateWorkers: false,
-  });
+  const pool = startThreads("./worker.js", jobs, module);
   try {
     await mend(out).catch((error) => {
       throw new Refused(`${out}: ${reason(error)}`);

@@ -1,24 +1,13 @@
 import type { Timing } from "../store/results";
-import type { Explanation, LayerName, Limits, Plan, PlannerId, Prefer } from "parkade";
+import type { Explanation, LayerName, PlannerId } from "parkade";
 import { isGoalPose } from "../scene/model";
 import type { Scenario } from "parkade";
 import type { Holder, PlanWorkers, WorkerLike } from "./pool";
-import type { Ends, Failure, Layers, Reply, Waiting } from "./protocol";
+import type { Ends, Failure, Layers, PlanRequest, Reply } from "./protocol";
 
-/**
- * `every`: cells from one force of the layer `risk` to the next; `budget`: milliseconds after which the plan is given
- * up.
- */
-export interface Job {
-  id: number;
+/** A plan of a whole scene; `budget`: milliseconds after which it is given up. */
+export interface Job extends Omit<PlanRequest, "kind" | "scene" | "ends"> {
   scene: Scenario;
-  layers: LayerName[];
-  every: number;
-  trace: boolean;
-  waiting: Waiting | null;
-  limits?: Limits;
-  prefer?: Prefer | undefined;
-  shown?: Plan | null | undefined;
   budget?: number | null;
 }
 
