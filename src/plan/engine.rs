@@ -84,8 +84,8 @@ pub(super) trait Engine: Send {
         let _ = (scenario, world);
     }
 
-    /// Takes several goals for the next plan and returns true, or false if the family has to try one after another. Of a
-    /// sample of goals those that lack the margin are left out, but not all of them.
+    /// Takes several goals for the next plan and returns true, or false if the family has to try one after another. Of
+    /// a sample of goals those that lack the margin are left out, but not all of them.
     #[cfg(feature = "complete")]
     fn aim(&mut self, world: &World, goals: &[Pose], is_sample: bool) -> bool {
         let _ = (world, goals, is_sample);
