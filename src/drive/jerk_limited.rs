@@ -89,14 +89,14 @@ fn largest(low: f64, high: f64, good: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// A station and the speed there.
-type Place = (f64, f64);
+type Milestone = (f64, f64);
 
 /// A part of the run that has no speed profile yet.
 enum Task {
     /// At the limits, without acceleration at the ends.
-    Between(Place, Place),
+    Between(Milestone, Milestone),
     /// At one speed.
-    Steady(Place, f64),
+    Steady(Milestone, f64),
 }
 
 /// The phases of a run through zones of one limit each (where it ends, the limit), from one place and speed to another;
@@ -105,7 +105,7 @@ pub(super) fn phases(
     limits: &Limits,
     jerk: f64,
     zones: &[(f64, f64)],
-    [from, to]: [Place; 2],
+    [from, to]: [Milestone; 2],
 ) -> Option<Vec<Phase>> {
     let ramp = |from: f64, to: f64| Ramp::new(from, to, limits, jerk);
     let mut tasks = vec![Task::Between(from, to)];
@@ -205,7 +205,7 @@ mod tests {
     }
 
     /// Drives through zones; the time it takes. What it drives joins and keeps to all limits.
-    fn driven(zones: &[(f64, f64)], ends: [Place; 2]) -> Option<f64> {
+    fn driven(zones: &[(f64, f64)], ends: [Milestone; 2]) -> Option<f64> {
         let limits = limits();
         let phases = phases(&limits, JERK, zones, ends)?;
         let (mut at, mut time) = ((ends[0].0, ends[0].1, 0.0), 0.0);
@@ -230,7 +230,7 @@ mod tests {
         Some(time)
     }
 
-    fn takes(zones: &[(f64, f64)], ends: [Place; 2], wanted: f64) {
+    fn takes(zones: &[(f64, f64)], ends: [Milestone; 2], wanted: f64) {
         let time = driven(zones, ends).unwrap();
         assert!((time - wanted).abs() < 1e-6, "{time} s, not {wanted} s");
     }

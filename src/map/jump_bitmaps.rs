@@ -72,7 +72,7 @@ impl Bits {
         let lines = [rows.clone(), columns.clone(), rows, columns];
         let mut bits = Self { lines, ways: Ways::new(map) };
         for index in 0..map.len() as u32 {
-            bits.settle(map, map.cell(index));
+            bits.sync(map, map.cell(index));
         }
         bits
     }
@@ -82,14 +82,14 @@ impl Bits {
         for (dx, dy) in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy))) {
             let cell = changed.offset(dx, dy);
             if map.contains(cell) {
-                self.settle(map, cell);
+                self.sync(map, cell);
             }
         }
         self.ways.follow(map, changed);
     }
 
     /// Brings the stops at a cell up to date.
-    fn settle(&mut self, map: &Occupancy, cell: Cell) {
+    fn sync(&mut self, map: &Occupancy, cell: Cell) {
         let stops = if map.blocked(cell) { u8::MAX } else { ends(map.free_around(cell)) };
         for quarter in 0..4 {
             let (line, at) = self.place(cell, quarter);

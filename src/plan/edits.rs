@@ -58,7 +58,7 @@ impl Planner {
     }
 
     /// Brings the scene and its exact geometry up to date with the brush.
-    pub(super) fn settle(&mut self) {
+    pub(super) fn sync(&mut self) {
         let Some(brush) = self.brush.as_mut().filter(|brush| brush.stale) else { return };
         brush.stale = false;
         let mut covered = raster::to_runs(&brush.covered);

@@ -130,7 +130,7 @@ impl HybridEngine {
 
     /// Keeps to the last path, led to the new ends, where this one is not so much better.
     #[cfg(feature = "complete")]
-    fn settle(
+    fn stay_with_last(
         &mut self,
         (scenario, world): (&Scenario, &World),
         plan: &mut Plan,
@@ -207,7 +207,7 @@ impl HybridEngine {
         if plan.outcome != Outcome::Found {
             return plan;
         }
-        let first = self.settle((scenario, world), &mut plan, first, &wish);
+        let first = self.stay_with_last((scenario, world), &mut plan, first, &wish);
         if wish.is_none() {
             return plan;
         }
@@ -271,13 +271,16 @@ impl Engine for HybridEngine {
 
     #[cfg(feature = "complete")]
     fn aim(&mut self, world: &World, goals: &[Pose], is_sample: bool) -> bool {
-        let roomy = if is_sample {
+        let with_margin = if is_sample {
             with_room(&self.obstacles, &world.geometry.vehicle, goals, self.config.margin)
         } else {
             Vec::new()
         };
-        self.goals =
-            if roomy.is_empty() { goals.to_vec() } else { roomy.iter().map(|&at| goals[at]).collect() };
+        self.goals = if with_margin.is_empty() {
+            goals.to_vec()
+        } else {
+            with_margin.iter().map(|&at| goals[at]).collect()
+        };
         true
     }
 

@@ -211,7 +211,7 @@ impl Planner {
     /// To the scene's own goal, or to the cheapest of them, where none is given.
     fn between(&mut self, start: Pose, goal: Option<Pose>, options: Options) -> Plan {
         #[cfg(feature = "complete")]
-        self.settle();
+        self.sync();
         #[cfg(feature = "complete")]
         if let Some(goals) = self.own_goals.take_if(|_| goal.is_none()) {
             let plan = self.plan_any(start, &goals, options);
