@@ -70,7 +70,7 @@ pub(super) fn compare(
     (scratch, trace, progress): (&mut Scratch, bool, &mut Option<Progress>),
 ) -> Report {
     let is_open = matches!(report.status, Status::BudgetExhausted(_) | Status::VerificationFailed);
-    if report.expanded == 0 || (report.arcs.is_empty() && !is_open) {
+    if report.stats.expanded == 0 || (report.arcs.is_empty() && !is_open) {
         return report;
     }
     let asked = config.margin.max(MIN_MARGIN);
@@ -79,7 +79,7 @@ pub(super) fn compare(
             break;
         }
         if let Some(progress) = progress {
-            progress.continue_after(report.expanded);
+            progress.continue_after(report.stats.expanded);
         }
         let mut other = search_alone(query, &rival, scratch, trace, progress);
         other.margin = other.margin.min(asked);
@@ -89,14 +89,8 @@ pub(super) fn compare(
                 || other.margin > report.margin
                 || (other.margin == report.margin && other.cost < report.cost));
         let checks = report.collision_checks.saturating_add(other.collision_checks);
-        let sum = Report {
-            expanded: report.expanded.saturating_add(other.expanded),
-            generated: report.generated.saturating_add(other.generated),
-            pushes: report.pushes.saturating_add(other.pushes),
-            open_peak: report.open_peak.max(other.open_peak),
-            bytes: report.bytes.max(other.bytes),
-            ..report.counters()
-        };
+        let mut sum = report.counters();
+        sum.stats.add(other.stats);
         let status = if is_better { Status::Suboptimal } else { report.status };
         let best = if is_better { other } else { report };
         report = Report { status, collision_checks: checks, ..sum.with_path_of(best) };
