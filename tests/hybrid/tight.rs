@@ -234,8 +234,12 @@ fn prices_and_less_margin_cost_no_more_than_the_usual_path() {
                 compared += 1;
                 assert!(one.ratio <= most, "{name}: {}, {}", pair.name, one.ratio);
             };
-            PRICES.iter().for_each(|pair| hold(pair, 1.0 + 1e-9));
-            MARGINS.iter().for_each(|pair| hold(pair, 1.01));
+            for pair in &PRICES {
+                hold(pair, 1.0 + 1e-9);
+            }
+            for pair in &MARGINS {
+                hold(pair, 1.01);
+            }
         }
     }
     assert!(compared >= 30, "{compared}");
