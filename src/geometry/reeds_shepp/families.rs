@@ -93,6 +93,25 @@ impl Polar {
 
 /// Solves all words from `from` to `to`.
 pub(super) fn visit(from: Pose, to: Pose, radius: f64, visitor: &mut impl Visit) {
+    let sides = sides(from, to, radius);
+    for side in &sides {
+        side.straight(visitor);
+    }
+    for side in &sides {
+        side.same_turn(visitor);
+        side.other_turn(visitor);
+    }
+}
+
+/// Solves the words without a cusp: of the families only CSC has none.
+pub(super) fn visit_in_one_gear(from: Pose, to: Pose, radius: f64, visitor: &mut impl Visit) {
+    for side in &sides(from, to, radius) {
+        side.straight(visitor);
+    }
+}
+
+/// The target as a car sees it that turns to the left first, and one that turns to the right.
+fn sides(from: Pose, to: Pose, radius: f64) -> [Side; 2] {
     let local = from.to_local(to.point());
     let (x, y) = (local.x / radius, local.y / radius);
     let phi = math::turn(from.heading, to.heading);
@@ -102,14 +121,7 @@ pub(super) fn visit(from: Pose, to: Pose, radius: f64, visitor: &mut impl Visit)
         let (a, b) = (Polar::new([x - sin, y - 1.0 + cos]), Polar::new([x + sin, y - 1.0 - cos]));
         Side { reflect, phi, a, b }
     };
-    let sides = [side(false), side(true)];
-    for side in &sides {
-        side.straight(visitor);
-    }
-    for side in &sides {
-        side.same_turn(visitor);
-        side.other_turn(visitor);
-    }
+    [side(false), side(true)]
 }
 
 impl Side {
@@ -122,7 +134,9 @@ impl Side {
     /// overlap have no inner tangent.
     fn straight(&self, to: &mut impl Visit) {
         let (a, b) = (self.a.length, self.b.length);
-        if a < to.bound() {
+        // The arcs turn the car by φ at least.
+        let turn = self.phi.abs() - EPS;
+        if a.max(a + turn) < to.bound() {
             for (flip, angle, phi) in self.ways(self.a.angle()) {
                 let (t, v) = (modulo(angle), modulo(phi - angle));
                 if t >= -EPS && v >= -EPS {
@@ -135,7 +149,7 @@ impl Side {
             return;
         }
         let u = square.sqrt();
-        if u < to.bound() {
+        if u.max(u + turn) < to.bound() {
             let lead = math::atan2(2.0, u);
             for (flip, angle, phi) in self.ways(self.b.angle()) {
                 let t = modulo(angle + lead);

@@ -31,7 +31,7 @@ mod word;
 pub use word::Word;
 
 use super::Pose;
-use families::{All, Least, visit};
+use families::{All, Least, visit, visit_in_one_gear};
 
 /// All words from `from` to `to` for turning radius `radius`, metres, unordered, handed to `each`.
 ///
@@ -50,6 +50,14 @@ pub fn words_below(from: Pose, to: Pose, radius: f64, bound: f64, each: impl FnM
 pub fn list_below(from: Pose, to: Pose, radius: f64, bound: f64) -> Vec<Word> {
     let mut list = Vec::new();
     words_below(from, to, radius, bound, |word| list.push(word));
+    list
+}
+
+/// Those of [`list_below`] that change no gear: a circle, a straight line and a circle.
+#[inline(never)]
+pub fn list_in_one_gear(from: Pose, to: Pose, radius: f64, bound: f64) -> Vec<Word> {
+    let mut list = Vec::new();
+    visit_in_one_gear(from, to, radius, &mut All { bound: bound / radius, each: |word| list.push(word) });
     list
 }
 
@@ -189,6 +197,22 @@ mod tests {
                     assert!(enough <= bound && sorted.contains(&enough), "{enough} {bound}");
                 }
                 assert_eq!(distance_or(from, to, radius, 0.9 * sorted[0]), sorted[0]);
+            }
+        }
+    }
+
+    #[test]
+    fn words_in_one_gear_are_those_without_a_cusp() {
+        let mut random = random_poses();
+        for _ in 0..2000 {
+            let (from, to) = (random(), random());
+            for bound in [f64::INFINITY, 20.0] {
+                let mut all = list_below(from, to, RADIUS, bound);
+                all.retain(|word| word.direction_changes() == 0);
+                let letters = |words: &[Word]| -> Vec<(String, u64)> {
+                    words.iter().map(|word| (word.letters(), word.total.to_bits())).collect()
+                };
+                assert_eq!(letters(&list_in_one_gear(from, to, RADIUS, bound)), letters(&all));
             }
         }
     }

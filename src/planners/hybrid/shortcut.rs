@@ -71,8 +71,8 @@ fn split(path: &[Arc], knot: f64) -> Vec<Arc> {
         .collect()
 }
 
-/// One round over all pairs of knots. Invariant: `poses` and `spent` have one entry more than `knots`; a replacement
-/// renews what follows it.
+/// One round over all pairs of knots. Invariant: `poses`, `spent` and `changed` have one entry more than `knots`; a
+/// replacement renews what follows it.
 struct Pass<'a> {
     rules: Rules<'a>,
     /// Knots that a replaced stretch has, at most.
@@ -82,6 +82,8 @@ struct Pass<'a> {
     poses: Vec<Pose>,
     /// Cost up to there.
     spent: Vec<f64>,
+    /// Gear changes up to there.
+    changed: Vec<u32>,
     sampling: Sampling,
     /// How far the body can go ahead from the knot at hand, and back from each of the others.
     ahead: Reach,
@@ -92,17 +94,18 @@ impl<'a> Pass<'a> {
     fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>) -> Self {
         let reach = MAX_PAIRS / knots.len().max(1);
         let sampling = Sampling::new(rules.spacing, rules.margin, rules.costs.radius);
-        let (poses, spent, back) = (vec![start], vec![0.0], Vec::new());
+        let (poses, spent, changed, back) = (vec![start], vec![0.0], vec![0], Vec::new());
         let ahead = Reach::new(start, sampling);
-        let mut pass = Self { rules, reach, knots, poses, spent, sampling, ahead, back };
+        let mut pass = Self { rules, reach, knots, poses, spent, changed, sampling, ahead, back };
         pass.measure(0);
         pass
     }
 
-    /// Poses and costs beyond knot `from`.
+    /// Poses, costs and gear changes beyond knot `from`.
     fn measure(&mut self, from: usize) {
         self.poses.truncate(from + 1);
         self.spent.truncate(from + 1);
+        self.changed.truncate(from + 1);
         self.back.truncate(from + 1);
         self.back.resize(self.knots.len() + 1, None);
         for k in from..self.knots.len() {
@@ -111,6 +114,8 @@ impl<'a> Pass<'a> {
                 + self.rules.costs.places(self.rules.probe, pose, &arc);
             self.poses.push(pose.advance(arc.curvature, arc.length));
             self.spent.push(self.spent[k] + cost);
+            let changed = changes(self.before(k), [arc], None);
+            self.changed.push(self.changed[k] + changed);
         }
     }
 
@@ -157,17 +162,17 @@ impl<'a> Pass<'a> {
         }
         let before = self.before(i);
         let next = self.knots.get(j);
-        let mut allowed = None;
+        let allowed = self.changed[self.knots.len().min(j + 1)] - self.changed[i];
         let mut found: Vec<(f64, Word)> = Vec::new();
-        for word in reeds_shepp::list_below(from, to, costs.radius, longest) {
+        // Most stretches are driven in one gear.
+        let list = if allowed == 0 { reeds_shepp::list_in_one_gear } else { reeds_shepp::list_below };
+        for word in list(from, to, costs.radius, longest) {
             let Some(last) = word.arcs(costs.radius).last() else { continue };
             let cost = costs.word(before, &word) + self.join(j, &last);
             if cost >= old {
                 continue;
             }
-            let changed = changes(before, word.arcs(costs.radius), next);
-            let stretch = || changes(before, self.knots[i..j].iter().copied(), next);
-            if changed <= *allowed.get_or_insert_with(stretch) {
+            if changes(before, word.arcs(costs.radius), next) <= allowed {
                 found.push((cost, word));
             }
         }
