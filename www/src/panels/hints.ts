@@ -145,8 +145,8 @@ export class Hints extends AppElement {
       words = this.renderRoot.querySelector("div");
     if (!step || !words || !this.host || state.transient || state.playback.playing || this.host.hasAttribute("viewing"))
       return null;
-    // Another tool drags nothing, and the steps of a search are looked at undisturbed.
-    if (state.tool !== "select" || state.searchSteps) return null;
+    // Another tool drags nothing, and the steps of a search and all bays are looked at undisturbed.
+    if (state.tool !== "select" || state.searchSteps || state.bays?.opened === false) return null;
     const anchor = step === "hint.drag" ? this.grip() : state.canUndo ? this.anchor(step) : null;
     if (!anchor) return null;
     // The switch at the same car gives way.

@@ -34,7 +34,7 @@ export class VehicleEditor extends DialogElement {
     css`
     dialog { --dialog-width: 720px; }
     form { display: grid; grid-template-columns: minmax(0, 1fr) 290px; gap: 18px; }
-    svg {
+    form svg {
       width: 100%; height: 320px; background: var(--parkade-floor); border: 1px solid var(--parkade-hair);
       border-radius: calc(8px * var(--parkade-radius)); color: var(--parkade-t1);
     }
@@ -49,7 +49,7 @@ export class VehicleEditor extends DialogElement {
     p { margin: 0; color: var(--parkade-t2); font-size: 12px; line-height: 16px; }
     .fault { color: var(--parkade-err); }
     .solid { width: 100%; }
-    @media (max-width: 640px) { form { grid-template-columns: minmax(0, 1fr); } svg { height: 200px; } }
+    @media (max-width: 640px) { form { grid-template-columns: minmax(0, 1fr); } form svg { height: 200px; } }
   `,
   ];
   declare form: Form;
