@@ -113,7 +113,15 @@ pub fn plan(
 ) -> Report {
     let report = search_alone(query, config, scratch, trace, progress);
     #[cfg(feature = "complete")]
-    let report = rivals::compare(query, config, report, (scratch, trace, progress));
+    let report = rivals::compare(query, config, report, &mut |rival, before| {
+        if let Some(progress) = progress {
+            if progress.is_stopped() {
+                return None;
+            }
+            progress.continue_after(before);
+        }
+        Some(search_alone(query, rival, scratch, trace, progress))
+    });
     report
 }
 

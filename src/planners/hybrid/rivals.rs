@@ -8,10 +8,8 @@
 use super::config::Config;
 use super::cost::CostModel;
 use super::profile::Profile;
-use super::question::{MIN_MARGIN, Query, Scratch};
+use super::question::{MIN_MARGIN, Query};
 use super::report::{Report, Status};
-use super::search_alone;
-use crate::search::Progress;
 use crate::vehicle::collision::CollisionChecker;
 
 impl Config {
@@ -62,12 +60,13 @@ impl Config {
     }
 }
 
-/// The cheapest of an answer and its rivals. Its counters are those of all searches.
+/// The cheapest of an answer and its rivals. Its counters are those of all searches. `search` plans with other settings
+/// after so many expansions; nothing where the caller has ended the plan.
 pub(super) fn compare(
     query: &Query,
     config: &Config,
     mut report: Report,
-    (scratch, trace, progress): (&mut Scratch, bool, &mut Option<Progress>),
+    search: &mut dyn FnMut(&Config, u32) -> Option<Report>,
 ) -> Report {
     let is_open = matches!(report.status, Status::BudgetExhausted(_) | Status::VerificationFailed);
     if report.stats.expanded == 0 || (report.arcs.is_empty() && !is_open) {
@@ -75,13 +74,7 @@ pub(super) fn compare(
     }
     let asked = config.margin.max(MIN_MARGIN);
     for rival in config.rivals(&report) {
-        if progress.as_ref().is_some_and(Progress::is_stopped) {
-            break;
-        }
-        if let Some(progress) = progress {
-            progress.continue_after(report.stats.expanded);
-        }
-        let mut other = search_alone(query, &rival, scratch, trace, progress);
+        let Some(mut other) = search(&rival, report.stats.expanded) else { break };
         other.margin = other.margin.min(asked);
         other.cost = cost(query, config, &other);
         let is_better = !other.arcs.is_empty()
