@@ -230,6 +230,7 @@ impl Old<'_> {
             goal,
             tight: room < TIGHT_CLEARANCE,
             trace: false,
+            poses: None,
             goals: &[],
         };
         (0..config.levels()).zip(CORRIDOR_EXPANSIONS).find_map(|(number, most)| {

@@ -135,7 +135,8 @@ pub(super) fn search(
     let lattice = |side: usize, keys| {
         let mirrored = side == 1;
         let costs = if mirrored { driven.mirrored() } else { driven };
-        let setting = Setting { probe, flood: floods[side], keys, costs, mirrored, watch, roots: &[] };
+        let setting =
+            Setting { probe, flood: floods[side], keys, costs, mirrored, watch, poses: None, roots: &[] };
         StateLattice::new(setting, query.vehicle, config, level, ends[1 - side], report.margin)
     };
     let (mut first, mut second) = (lattice(0, &scratch.keys), lattice(1, &other.keys));

@@ -125,6 +125,7 @@ pub fn choices(
         goal,
         tight,
         trace,
+        poses: None,
         goals,
     };
     let mut report = first.counters();

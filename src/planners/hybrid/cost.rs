@@ -116,6 +116,12 @@ impl CostModel {
         Self { far_reverse: level.far_reverse, many_changes: 0.0, change, obstacle, ..self }
     }
 
+    /// Price of a gear change, metres.
+    #[cfg(feature = "complete")]
+    pub(super) fn change(&self) -> f64 {
+        self.change
+    }
+
     /// True if nearness to obstacles costs something.
     pub(super) fn has_obstacles(&self) -> bool {
         self.obstacle != 0.0

@@ -33,6 +33,8 @@ use super::analytic_expansion::{Recorder, take_cheapest};
 use super::config::{Config, Heuristic, Level};
 use super::cost::{CostModel, Motion};
 use super::obstacle_heuristic::ObstacleHeuristic;
+#[cfg(feature = "complete")]
+use super::pose_heuristic::PoseHeuristic;
 use super::state::State;
 use super::state_index::StateIndex;
 use crate::geometry::arcs::Arc;
@@ -80,6 +82,9 @@ pub(super) struct StateLattice<'a> {
     pub(super) target: Pose,
     pub(super) margin: f64,
     pub(super) max_changes: u32,
+    /// Costs from poses to the target, where the search is guided by them.
+    #[cfg(feature = "complete")]
+    poses: Option<&'a PoseHeuristic>,
     /// The poses that a search with many roots begins from, all at no cost; none where it begins from one.
     #[cfg(feature = "complete")]
     roots: &'a [Pose],
@@ -108,6 +113,8 @@ pub(super) struct Setting<'a> {
     /// True if the tree grows from the goal; `costs` are then, too.
     pub(super) mirrored: bool,
     pub(super) watch: Option<&'a RefCell<Recorder>>,
+    #[cfg(feature = "complete")]
+    pub(super) poses: Option<&'a PoseHeuristic>,
     #[cfg(feature = "complete")]
     pub(super) roots: &'a [Pose],
 }
@@ -141,6 +148,8 @@ impl<'a> StateLattice<'a> {
             target,
             margin,
             max_changes: config.max_direction_changes,
+            #[cfg(feature = "complete")]
+            poses: setting.poses,
             #[cfg(feature = "complete")]
             roots: setting.roots,
             mirrored: setting.mirrored,
@@ -317,6 +326,11 @@ impl Domain for StateLattice<'_> {
                     around
                 }
             }
+        };
+        #[cfg(feature = "complete")]
+        let h = match self.poses {
+            Some(poses) if h.is_finite() => poses.cost(at, label.motion.gear, h),
+            _ => h,
         };
         h * self.level.weight
     }

@@ -246,6 +246,7 @@ impl Many<'_> {
                 goal: first,
                 tight: least.min(self.clearance(self.start)) < TIGHT_CLEARANCE,
                 trace: self.trace,
+                poses: None,
                 goals: &goals,
             };
             let level = self.config.level(0);

@@ -232,6 +232,8 @@ impl Search<'_> {
             mirrored: self.mirrored,
             watch: watch.as_ref(),
             #[cfg(feature = "complete")]
+            poses: self.poses,
+            #[cfg(feature = "complete")]
             roots: self.goals,
         };
         let mut lattice =

@@ -38,6 +38,8 @@ mod level;
 mod obstacle_heuristic;
 mod obstruction;
 mod portfolio;
+#[cfg(feature = "complete")]
+mod pose_heuristic;
 mod profile;
 mod question;
 #[cfg(feature = "complete")]
@@ -191,6 +193,8 @@ fn search_alone(
                 goal,
                 tight: clearance < TIGHT_CLEARANCE,
                 trace,
+                #[cfg(feature = "complete")]
+                poses: None,
                 #[cfg(feature = "complete")]
                 goals: &[],
             };

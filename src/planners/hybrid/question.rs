@@ -9,6 +9,8 @@ use core::cell::RefCell;
 use super::config::Config;
 use super::cost::CostModel;
 use super::obstacle_heuristic::ObstacleHeuristic;
+#[cfg(feature = "complete")]
+use super::pose_heuristic::PoseHeuristic;
 use super::report::Report;
 use super::state::State;
 use super::state_index::StateIndex;
@@ -110,6 +112,9 @@ pub(super) struct Search<'a> {
     pub(super) tight: bool,
     /// True to keep the search tree and the failed analytic expansions.
     pub(super) trace: bool,
+    /// The costs from poses to `target`, where the search is guided by them.
+    #[cfg(feature = "complete")]
+    pub(super) poses: Option<&'a PoseHeuristic>,
     /// Of several goals, those that are searched from at once; `goal` is then the one that the path at hand comes from.
     #[cfg(feature = "complete")]
     pub(super) goals: &'a [Pose],

@@ -57,6 +57,13 @@ impl StateIndex {
         self.slots[at].id
     }
 
+    /// The number of a key, if it was met.
+    #[cfg(feature = "complete")]
+    pub(super) fn get(&self, key: u64) -> Option<u32> {
+        let slot = self.slots.get(self.find(key))?;
+        (slot.stamp == self.stamp).then_some(slot.id)
+    }
+
     /// The slot of a key, or the free one where it belongs.
     fn find(&self, key: u64) -> usize {
         let mask = self.slots.len() - 1;

@@ -77,7 +77,8 @@ fn lattice<'a>(
     };
     let radius = CART.min_turning_radius();
     let costs = super::super::cost::CostModel::driven(&config, radius, [target, target]).searching(&level);
-    let setting = Setting { probe, flood, keys, costs, mirrored: false, watch: None, roots: &[] };
+    let setting =
+        Setting { probe, flood, keys, costs, mirrored: false, watch: None, poses: None, roots: &[] };
     StateLattice::new(setting, &CART, &config, level, target, 0.02)
 }
 

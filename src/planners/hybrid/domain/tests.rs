@@ -41,7 +41,8 @@ fn moves(gear: i8, room: f64, check: impl Fn(&StateLattice, &[(NodeId, f64, Stat
     let level = config.level(2).rocking(&config);
     let costs = CostModel::driven(&config, car.min_turning_radius(), [pose, target]).searching(&level);
     let (probe, flood, keys) = (&probe, &flood, &keys);
-    let setting = Setting { probe, flood, keys, costs, mirrored: false, watch: None, roots: &[] };
+    let setting =
+        Setting { probe, flood, keys, costs, mirrored: false, watch: None, poses: None, roots: &[] };
     let lattice = StateLattice::new(setting, car, &config, level, target, 0.0);
     let from = State { pose, motion: Motion { gear, ..Motion::default() }, length: 0.0 };
     let mut moves = Moves(Vec::new());

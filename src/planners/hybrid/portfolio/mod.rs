@@ -20,6 +20,9 @@ mod members;
 #[cfg(feature = "complete")]
 mod second_look;
 
+#[cfg(feature = "complete")]
+use core::cell::OnceCell;
+
 pub(super) use floods::Floods;
 pub(super) use members::COMFORTABLE_MARGIN;
 
@@ -27,6 +30,8 @@ use super::config::{Level, SearchFrom};
 #[cfg(feature = "complete")]
 use super::holonomic;
 use super::level::First;
+#[cfg(feature = "complete")]
+use super::pose_heuristic::PoseHeuristic;
 use super::question::{Search, Work};
 use super::report::{Report, Status};
 #[cfg(feature = "complete")]
@@ -86,9 +91,16 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         doubt: None,
         #[cfg(feature = "complete")]
         hope: Hope::Unasked,
+        #[cfg(feature = "complete")]
+        poses: Default::default(),
         proof: None,
     };
     run.rounds(work);
+    #[cfg(feature = "complete")]
+    {
+        work.report.bytes +=
+            run.poses.iter().filter_map(OnceCell::get).map(PoseHeuristic::bytes).sum::<u64>();
+    }
     run.conclude(work.report);
     #[cfg(feature = "complete")]
     second_look::look_again(search, floods, work);
@@ -128,6 +140,9 @@ struct Run<'a> {
     /// True if the body could get there if it moved in any direction.
     #[cfg(feature = "complete")]
     hope: Hope,
+    /// The costs from poses to either end, made when they are needed first.
+    #[cfg(feature = "complete")]
+    poses: [OnceCell<PoseHeuristic>; 2],
     /// What the last search from the hard end told that came to its end with the least margin.
     proof: Option<Report>,
 }
@@ -270,7 +285,11 @@ impl Run<'_> {
         self.effort = self.effort.min(report.stats.expanded.saturating_add(report.stats.expanded.max(more)));
         #[cfg(feature = "complete")]
         if self.is_in_open_space {
-            self.members.extend(rocking(self.widest..member.margin));
+            if member.is_guided {
+                self.members.extend((self.widest..member.margin).map(|margin| Member { margin, ..member }));
+            } else {
+                self.members.extend(rocking(self.widest..member.margin));
+            }
         }
         self.is_in_open_space = false;
         self.offer(report);
@@ -322,6 +341,8 @@ impl Run<'_> {
             return Turn::Exhausted;
         }
         let level = member.level(search.config, self.is_least(member));
+        #[cfg(feature = "complete")]
+        let search = if member.is_guided { self.guided(search, is_swapped, &level) } else { search };
         let is_last = slice >= level.max_expansions;
         if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
             return Turn::Found;
@@ -331,6 +352,19 @@ impl Run<'_> {
             Status::BudgetExhausted(_) if !is_last => Turn::Spent,
             _ => Turn::Lost,
         }
+    }
+
+    /// The same search, guided by the costs from poses to its target. These are made with the least margin, once for each
+    /// end: a little more margin hardly changes where the car must turn.
+    #[cfg(feature = "complete")]
+    fn guided<'a>(&'a self, search: Search<'a>, is_swapped: bool, level: &Level) -> Search<'a> {
+        let poses = self.poses[usize::from(is_swapped)].get_or_init(|| {
+            let car = (search.probe, search.query.vehicle);
+            let to_root = self.floods.get(self.floods.count() - 1, !is_swapped);
+            let prices = (self.floods.least(), search.costs().searching(level).change());
+            PoseHeuristic::new(car, to_root, [search.root, search.target], prices)
+        });
+        Search { poses: Some(poses), ..search }
     }
 
     /// Says what came of it; the counters are those of all members.
