@@ -1,5 +1,5 @@
-//! The way of the car among obstacles, from a coarse search of its poses: an estimate for places where the way of a disc
-//! misleads.
+//! The way of the car among obstacles, from a coarse search of its poses: an estimate for places where the way of a
+//! disc misleads.
 //!
 //! The flood of a disc knows every gap that is wide enough, and none that the car cannot turn into. Among clutter it
 //! leads the search into one such gap after another, and each costs ten thousand expansions. A coarse lattice of the
@@ -118,42 +118,33 @@ impl PoseHeuristic {
 
     /// The costs of a pose's cell and heading or, where the car did not get to those, of the nearest around them.
     fn known(&self, pose: Pose) -> Option<[f64; 2]> {
-        let of = |key| {
-            self.index
-                .get(key)
-                .map(|id| self.costs[id as usize])
-                .filter(|[ahead, back]| ahead.min(*back).is_finite())
+        let at = |x: f64, y: f64, turn: f64| {
+            let id = self.index.get(key(Pose::new(pose.x + x, pose.y + y, pose.heading + turn)))?;
+            Some(self.costs[id as usize]).filter(|&costs| least(costs).is_finite())
         };
         let turn = math::TAU / f64::from(BINS);
-        let near = |by: Pose| of(key(Pose::new(pose.x + by.x, pose.y + by.y, pose.heading + by.heading)));
-        let steps = [
-            (0.0, 0.0, turn),
-            (0.0, 0.0, -turn),
-            (CELL, 0.0, 0.0),
-            (-CELL, 0.0, 0.0),
-            (0.0, CELL, 0.0),
-            (0.0, -CELL, 0.0),
-        ];
-        of(key(pose)).or_else(|| {
-            steps
-                .into_iter()
-                .filter_map(|(x, y, heading)| near(Pose { x, y, heading }))
-                .reduce(|a, b| if b[0].min(b[1]) < a[0].min(a[1]) { b } else { a })
-        })
+        let around = [(0.0, 0.0, turn), (CELL, 0.0, 0.0), (0.0, CELL, 0.0)];
+        let around =
+            around.into_iter().flat_map(|(x, y, turn)| [at(x, y, turn), at(-x, -y, -turn)]).flatten();
+        at(0.0, 0.0, 0.0).or_else(|| around.min_by(|&a, &b| least(a).total_cmp(&least(b))))
     }
 
     /// Cost of the way from a pose to which the car came in this gear (0: it stands there), or else what another
     /// estimate tells and a price for being off every way known.
     pub(super) fn cost(&self, pose: Pose, gear: i8, estimate: f64) -> f64 {
-        let known = self.known(pose).unwrap_or([f64::INFINITY; 2]);
-        let [ahead, back] = known;
+        let [ahead, back] = self.known(pose).unwrap_or([f64::INFINITY; 2]);
         let cost = match gear {
-            0 => ahead.min(back),
+            0 => least([ahead, back]),
             1 => ahead.min(back + self.change),
             _ => back.min(ahead + self.change),
         };
         if cost.is_finite() { cost.max(estimate) } else { estimate + UNREACHED_COST }
     }
+}
+
+/// The cost of the cheaper direction.
+fn least([ahead, back]: [f64; 2]) -> f64 {
+    ahead.min(back)
 }
 
 /// The cell and heading of a pose.
@@ -227,23 +218,21 @@ mod tests {
     fn in_an_open_hall_it_is_about_the_curve_of_the_car() {
         hall(&[], |_, poses, pose| {
             let (target, radius) = (pose(15.0, 6.0, 0.0), Vehicle::SEDAN.min_turning_radius());
-            let mut known = 0;
+            let (mut known, mut excess) = (0, 0.0);
             for step in 0..400 {
                 let along = f64::from(step) / 400.0;
-                let from = pose(2.0 + 12.0 * along, 2.0 + 4.0 * along, (9.0 * along).sin() * 0.4);
+                let from = pose(2.0 + 12.0 * along, 2.0 + 4.0 * along, math::sin_cos(9.0 * along).0 * 0.4);
                 let (curve, cost) = (reeds_shepp::distance(from, target, radius), poses.cost(from, 1, 0.0));
                 if cost < UNREACHED_COST {
-                    // The curve may change gear for less than it costs, and a cell's pose lies somewhere in it.
-                    assert!(cost > curve - 0.6 && cost < curve + 3.0, "{from:?}: {cost}, curve {curve}");
+                    // A cell's pose lies anywhere in it and its neighbours.
+                    assert!(cost > curve - 1.0, "{from:?}: {cost}, curve {curve}");
+                    excess += cost - curve;
                     known += 1;
                 }
-                assert!(
-                    poses.cost(from, -1, 0.0)
-                        <= poses.cost(from, 1, 0.0).min(UNREACHED_COST) + UNREACHED_COST
-                );
                 assert!(poses.cost(from, 1, 50.0) >= 50.0, "never less than another estimate");
             }
-            assert!(known > 250, "{known} of 400 poses");
+            assert!(known > 300, "{known} of 400 poses");
+            assert!(excess / f64::from(known) < 2.5, "{excess} m in {known} poses");
         });
     }
 

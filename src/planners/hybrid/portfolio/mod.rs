@@ -98,7 +98,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     run.rounds(work);
     #[cfg(feature = "complete")]
     {
-        work.report.bytes +=
+        work.report.stats.bytes +=
             run.poses.iter().filter_map(OnceCell::get).map(PoseHeuristic::bytes).sum::<u64>();
     }
     run.conclude(work.report);
@@ -354,8 +354,8 @@ impl Run<'_> {
         }
     }
 
-    /// The same search, guided by the costs from poses to its target. These are made with the least margin, once for each
-    /// end: a little more margin hardly changes where the car must turn.
+    /// The same search, guided by the costs from poses to its target. These are made with the least margin, once for
+    /// each end: a little more margin hardly changes where the car must turn.
     #[cfg(feature = "complete")]
     fn guided<'a>(&'a self, search: Search<'a>, is_swapped: bool, level: &Level) -> Search<'a> {
         let poses = self.poses[usize::from(is_swapped)].get_or_init(|| {
