@@ -68,9 +68,9 @@ fn settings() -> Config {
 }
 
 fn clearance(query: &Query, report: &Report) -> f64 {
-    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
+    let checker = CollisionChecker::new(query.obstacles, query.vehicle);
     let points = arcs::sample(query.start, &report.arcs, query.goal, 0.02);
-    points.iter().fold(10.0, |least, p| probe.clearance(query.obstacles.local(p.pose), least).min(least))
+    points.iter().fold(10.0, |least, p| checker.clearance(query.obstacles.local(p.pose), least).min(least))
 }
 
 fn least<T>(mut run: impl FnMut() -> T) -> (T, f64) {

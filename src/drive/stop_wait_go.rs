@@ -254,12 +254,12 @@ impl Drive<'_> {
     /// The moments of the drive, the stops, and whether it arrived.
     fn run(&self) -> (Vec<Moment>, Vec<Wait>, Ending) {
         let (options, length) = (self.options, self.route.length());
-        let pace = options.speed * options.dt;
+        let step = options.speed * options.dt;
         let last_motion = self.movers.iter().fold(0.0_f64, |last, m| last.max(m.end()));
         let (mut states, mut waits): (Vec<Moment>, Vec<Wait>) = (Vec::new(), Vec::new());
         let (mut moved, mut waiting, mut clear) = (0.0, None, false);
         for tick in 0.. {
-            let (t, s) = (f64::from(tick) * options.dt, f64::min(moved * pace, length));
+            let (t, s) = (f64::from(tick) * options.dt, f64::min(moved * step, length));
             let blocked = waiting.is_some() && t > last_motion + SHORTEST;
             if let Some(from) = waiting
                 && self.released(s, t, from)
@@ -299,7 +299,7 @@ impl Drive<'_> {
             }
             if speed > 0.0 {
                 moved += 1.0;
-                if moved * pace >= length - 1e-9 {
+                if moved * step >= length - 1e-9 {
                     let t = t + (length - s) / options.speed;
                     states.push(Moment { t, station: length, speed: 0.0, acceleration: 0.0, run });
                     return (states, waits, Ending::Arrived);

@@ -272,9 +272,10 @@ fn command(
             angle(vehicle, 2.0 * local.y / local.coords.norm_squared().max(0.01))
         }
         Controller::Stanley => {
-            let pace = speed.max(0.3);
+            let least_speed = speed.max(0.3);
             if run.gear < 0.0 {
-                return angle(vehicle, ahead) + errors.heading - math::atan(STANLEY * errors.lateral / pace);
+                return angle(vehicle, ahead) + errors.heading
+                    - math::atan(STANLEY * errors.lateral / least_speed);
             }
             let pose = route.pose_in(run, car.station);
             let wheel = angle(vehicle, route.curvature_in(run, car.station));
@@ -282,7 +283,7 @@ fn command(
             let way = Pose { heading: pose.heading + wheel, ..pose };
             let off = car.pose.to_world(axle) - pose.to_world(axle);
             let lateral = way.direction().perp(&off);
-            angle(vehicle, ahead) - errors.heading - math::atan(STANLEY * lateral / pace)
+            angle(vehicle, ahead) - errors.heading - math::atan(STANLEY * lateral / least_speed)
         }
     }
 }

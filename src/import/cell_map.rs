@@ -30,8 +30,8 @@ impl Raster {
             }
             // Where the car can stand in every direction, if there is such a place.
             let reach = car.reach();
-            let roomy = largest_room(&inner(&inside, reach / frame.resolution));
-            roomy.filter(|[start, goal]| start != goal).or_else(|| largest_room(&inside))
+            let largest = largest_room(&inner(&inside, reach / frame.resolution));
+            largest.filter(|[start, goal]| start != goal).or_else(|| largest_room(&inside))
         };
         let Some([start, goal]) = ends.or_else(room) else {
             return Err(Error::new(ErrorCode::Import, file, "must have a free cell"));

@@ -2,7 +2,7 @@
 //!
 //! Searches ask "which of the eight cells around are free?" far more often than anything else, so the map keeps the
 //! answer as a byte per cell. An edit of one cell updates the nine bytes around it; nothing has to be prepared before a
-//! search, and a brush stroke costs what it touches. A rim of blocked cells saves the test of each neighbour against
+//! search, and a brush stroke costs what it touches. A border of blocked cells saves the test of each neighbour against
 //! the border.
 
 use std::sync::Arc;

@@ -89,11 +89,11 @@ fn cells_of(
     closed: bool,
     mut visit: impl FnMut(&mut Occupancy, Cell),
 ) {
-    let rim = if closed { SNAP } else { -SNAP };
+    let padding = if closed { SNAP } else { -SNAP };
     let (low, high) = (a[1].min(b[1]), a[1].max(b[1]));
     for y in first_cell(low, map.height())..=last_cell(high, map.height()) {
-        // The segment's extent within the row, widened by the rim and clipped to the segment.
-        let (bottom, top) = (f64::from(y) - rim, f64::from(y + 1) + rim);
+        // The segment's extent within the row, widened by the padding and clipped to the segment.
+        let (bottom, top) = (f64::from(y) - padding, f64::from(y + 1) + padding);
         if high <= bottom || low >= top {
             continue;
         }
@@ -107,7 +107,7 @@ fn cells_of(
             (west, east) = (p.min(q), p.max(q));
         }
         for x in first_cell(west, map.width())..=last_cell(east, map.width()) {
-            let (left, right) = (f64::from(x) - rim, f64::from(x + 1) + rim);
+            let (left, right) = (f64::from(x) - padding, f64::from(x + 1) + padding);
             if east > left && west < right {
                 visit(map, Cell::new(x, y));
             }

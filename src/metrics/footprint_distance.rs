@@ -88,7 +88,7 @@ pub struct Body {
 
 /// Edges by the square of the plane that their bounding box touches.
 ///
-/// Row by row from `low`; what lies outside is in the nearest bucket of the rim.
+/// Row by row from `low`; what lies outside is in the nearest outermost bucket.
 pub(super) struct Buckets {
     pub(super) side: f64,
     low: Point,

@@ -55,7 +55,7 @@ pub(super) struct Distance {
 /// Obstacles sorted into buckets.
 ///
 /// Outline 0 is the floor's boundary. Buckets are squares of `side` metres, row by row from `low`; what lies outside is
-/// in the nearest bucket of the rim.
+/// in the nearest outermost bucket.
 pub(super) struct Features {
     vehicle: Vehicle,
     all: Vec<Feature>,

@@ -125,7 +125,7 @@ fn cost(config: &Config, vehicle: &Vehicle, question: Question, path: &[Arc]) ->
     };
     let [far_reverse, many_changes] = if has_extras { [0.5, 4.0] } else { [0.0; 2] };
     let radius = vehicle.min_turning_radius();
-    let probe = CollisionChecker::new(obstacles, vehicle);
+    let checker = CollisionChecker::new(obstacles, vehicle);
     let [start, goal] = [start, goal].map(|pose| obstacles.local(pose));
     let (mut pose, mut before) = (start, 0.0);
     let changes = arcs::direction_changes(path);
@@ -138,7 +138,7 @@ fn cost(config: &Config, vehicle: &Vehicle, question: Question, path: &[Arc]) ->
         let steps = (arc.length.abs() / STEP).ceil().max(1.0);
         for k in 1..=steps as u32 {
             let at = pose.advance(arc.curvature, arc.length / steps * f64::from(k));
-            let near = (1.0 - probe.clearance(at, distance) / distance).max(0.0);
+            let near = (1.0 - checker.clearance(at, distance) / distance).max(0.0);
             let is_far = [start, goal].iter().all(|end| {
                 let apart = at.point() - end.point();
                 math::hypot(apart.x, apart.y) > MANOEUVRE

@@ -99,9 +99,9 @@ impl Lot {
     /// The least distance from the car to anything along a path, 1 m at most.
     pub(crate) fn clearance(&self, path: &[Arc]) -> f64 {
         let obstacles = self.obstacles();
-        let probe = CollisionChecker::new(&obstacles, &CAR);
+        let checker = CollisionChecker::new(&obstacles, &CAR);
         let points = arcs::sample(pose(self.start), path, pose(self.goal), 0.02);
-        points.iter().fold(1.0, |least, p| probe.clearance(obstacles.local(p.pose), least).min(least))
+        points.iter().fold(1.0, |least, p| checker.clearance(obstacles.local(p.pose), least).min(least))
     }
 
     /// True if the car overlaps a solid or an edge of the floor by more than a micrometre.

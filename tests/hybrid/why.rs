@@ -66,9 +66,9 @@ fn failed_connections_lead_from_the_tree_to_what_they_hit() {
             // What is hit is within the margin, and nothing else stands in this lot.
             assert_eq!(shots.owners[k], BORDER);
             let obstacles = lot.obstacles();
-            let probe = parkade::vehicle::collision::CollisionChecker::new(&obstacles, &CAR);
-            assert!(probe.hit(obstacles.local(hit), 0.1).is_some(), "{k}");
-            assert!(probe.hit(obstacles.local(at), 0.1 - 1e-6).is_none(), "{k}");
+            let checker = parkade::vehicle::collision::CollisionChecker::new(&obstacles, &CAR);
+            assert!(checker.hit(obstacles.local(hit), 0.1).is_some(), "{k}");
+            assert!(checker.hit(obstacles.local(at), 0.1 - 1e-6).is_none(), "{k}");
         }
     }
 }

@@ -101,10 +101,10 @@ pub(crate) fn scene(seed: u64) -> (Scenario, Map<String, Value>) {
     for _ in 0..6 {
         let geometry = scenario.geometry().expect("a valid scene");
         let obstacles = obstacles_of(&geometry);
-        let probe = CollisionChecker::new(&obstacles, &car);
+        let checker = CollisionChecker::new(&obstacles, &car);
         let blocked = |pose: Pose| {
             let pose = obstacles.local(pose);
-            obstacles.inside(pose.point()).or_else(|| probe.hit(pose, 0.0)).is_some()
+            obstacles.inside(pose.point()).or_else(|| checker.hit(pose, 0.0)).is_some()
         };
         if blocked(geometry.start) {
             scenario.start = pose(&mut r);

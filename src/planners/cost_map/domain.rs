@@ -120,13 +120,13 @@ impl CostMap {
                     let enough = lane.map(|(leg, _)| leg.half_width - less);
                     let last = enough.unwrap_or(1.0).clamp(0.1, 1.0);
                     let near = ((f64::from(kerb[index]) - radius) / last).clamp(0.0, 1.0);
-                    let pace = SpeedLimit::lowest_at(&traffic.limits, point)
+                    let limit = SpeedLimit::lowest_at(&traffic.limits, point)
                         .min((LATERAL / bend.abs()).sqrt())
                         .min(PACE);
                     base(clearance, enough)
                         + config.lane_weight * (off * off).min(LANE_MOST)
                         + config.kerb_weight * (1.0 - near) * (1.0 - near)
-                        + config.speed_weight * (PACE / pace - 1.0)
+                        + config.speed_weight * (PACE / limit - 1.0)
                 }
             };
             soft + keeps.surcharge(clearance)

@@ -65,10 +65,10 @@ impl Recorder {
     }
 
     /// A search has expanded `pose`; `missed` is the cheapest connection that it tried in vain. `mirrored` where the
-    /// tree grows from the goal. The probe counts, so it must not be the search's own.
+    /// tree grows from the goal. The checker counts, so it must not be the search's own.
     pub(super) fn note(
         &mut self,
-        probe: &CollisionChecker,
+        checker: &CollisionChecker,
         pose: Pose,
         missed: Option<&Word>,
         (radius, spacing, margin): (f64, f64, f64),
@@ -84,7 +84,7 @@ impl Recorder {
         let begin = self.shots.arcs.len();
         let mut from = pose;
         for arc in word.arcs(radius) {
-            let far = probe.free_length(from, &arc, spacing, margin);
+            let far = checker.free_length(from, &arc, spacing, margin);
             let length = far.copysign(arc.length);
             let end = from.advance(arc.curvature, length);
             if far > 0.0 {
@@ -93,7 +93,7 @@ impl Recorder {
             if far < arc.length.abs() {
                 let beyond = (far + spacing / 16.0).min(arc.length.abs()).copysign(arc.length);
                 let beyond = from.advance(arc.curvature, beyond);
-                let Some(owner) = probe.hit(beyond, margin) else { break };
+                let Some(owner) = checker.hit(beyond, margin) else { break };
                 self.shots.first.push((begin / 5) as u32);
                 self.shots.owners.push(owner);
                 self.shots.expansions.push(expansion);

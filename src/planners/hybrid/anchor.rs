@@ -116,7 +116,7 @@ pub fn stay(
     scratch: &mut Scratch,
     is_sound: &mut dyn FnMut(&Report) -> bool,
 ) -> Option<Report> {
-    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
+    let checker = CollisionChecker::new(query.obstacles, query.vehicle);
     let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
     let costs = CostModel::driven(config, query.vehicle.min_turning_radius(), [start, goal]);
     let end = arcs::end(last.start, &last.arcs);
@@ -127,13 +127,13 @@ pub fn stay(
     let mut is_kept =
         |path: &Report| old.strays(&path.arcs) <= reach && old.is_as_good(path) && is_sound(path);
     let mut anchored =
-        |probe| KEPT_MARGINS.iter().find_map(|&kept| old.anchored(probe, kept).filter(&mut is_kept));
-    let free = anchored(&probe);
+        |checker| KEPT_MARGINS.iter().find_map(|&kept| old.anchored(checker, kept).filter(&mut is_kept));
+    let free = anchored(&checker);
     if free.is_some() || old.strays(&report.arcs) <= reach {
         return free;
     }
     let corridor = Corridor::around(&old.path, reach - CORRIDOR_INSET);
-    let narrow = probe.within(&corridor);
+    let narrow = checker.within(&corridor);
     anchored(&narrow).or_else(|| old.bent(&narrow, reach - CORRIDOR_INSET, scratch).filter(is_kept))
 }
 
@@ -181,17 +181,17 @@ impl Old<'_> {
     }
 
     /// A report of this path, with the counters of the plan that it competes with.
-    fn answer(&self, path: Vec<Arc>, probe: &CollisionChecker) -> Report {
-        let cost = self.costs.path(probe, self.ends[0], &path);
+    fn answer(&self, path: Vec<Arc>, checker: &CollisionChecker) -> Report {
+        let cost = self.costs.path(checker, self.ends[0], &path);
         Report { arcs: path, cost, status: Status::Suboptimal, ..self.report.clone() }
     }
 
     /// The old path with other ends; `None` where it cannot be led there. Its pieces stay where they have this share of
     /// the margin.
-    fn anchored(&self, probe: &CollisionChecker, kept: f64) -> Option<Report> {
+    fn anchored(&self, checker: &CollisionChecker, kept: f64) -> Option<Report> {
         let [start, goal] = self.ends;
         let margin = self.report.margin;
-        let joining = Joining { probe, costs: &self.costs, margin, kept: kept * margin };
+        let joining = Joining { checker, costs: &self.costs, margin, kept: kept * margin };
         let knots = split(&self.last.arcs);
         let back: Vec<Arc> = arcs::reversed(&knots);
         let (head, from) = joining.lead(start, self.last.start, &knots)?;
@@ -200,14 +200,14 @@ impl Old<'_> {
         let path: Vec<Arc> =
             head.into_iter().chain(kept.iter().copied()).chain(arcs::reversed(&tail)).collect();
         let path = joining.mended(start, split(&path))?;
-        let rules = shortcut::Rules { probe, costs: &self.costs, spacing: CHECK_SPACING, margin };
+        let rules = shortcut::Rules { checker, costs: &self.costs, spacing: CHECK_SPACING, margin };
         let path = arcs::merge(path);
         let path = if self.cuts { shortcut::shortcut(rules, start, path) } else { path };
-        Some(self.answer(path, probe))
+        Some(self.answer(path, checker))
     }
 
     /// The cheapest path within `reach` of the old one that a short search finds.
-    fn bent(&self, probe: &CollisionChecker, reach: f64, scratch: &mut Scratch) -> Option<Report> {
+    fn bent(&self, checker: &CollisionChecker, reach: f64, scratch: &mut Scratch) -> Option<Report> {
         let Query { obstacles, vehicle, .. } = *self.query;
         let [start, goal] = self.ends;
         let mirrored = self.report.from_goal;
@@ -217,11 +217,11 @@ impl Old<'_> {
             poses(self.last.start, &self.last.arcs).map(|pose| flood.disc(pose)).collect();
         let flood = flood.within(&Corridor::around(&discs, reach));
         let config = &Config { search_from: SearchFrom::Goal, ..*self.config };
-        let room = probe.clearance(start, TIGHT_CLEARANCE).min(probe.clearance(goal, TIGHT_CLEARANCE));
+        let room = checker.clearance(start, TIGHT_CLEARANCE).min(checker.clearance(goal, TIGHT_CLEARANCE));
         let search = Search {
             query: self.query,
             config,
-            probe,
+            checker,
             flood: &flood,
             root,
             target,
@@ -239,14 +239,14 @@ impl Old<'_> {
             let level = config.level(number);
             let level = Level { max_expansions: most.min(level.max_expansions), ..level };
             let mut work = Work { report: &mut report, scratch, progress: &mut None };
-            search.level(level, &mut work).then(|| self.answer(report.arcs, probe))
+            search.level(level, &mut work).then(|| self.answer(report.arcs, checker))
         })
     }
 }
 
 /// The rules by which pieces of the old path are joined with new curves.
 struct Joining<'a> {
-    probe: &'a CollisionChecker<'a>,
+    checker: &'a CollisionChecker<'a>,
     costs: &'a CostModel,
     /// Of new curves, metres, …
     margin: f64,
@@ -286,7 +286,7 @@ impl Joining<'_> {
                 *pose = pose.advance(arc.curvature, arc.length);
                 Some(*pose)
             }));
-            let is_free = |at: usize| self.probe.arc_free(poses[at], &knots[at], CHECK_SPACING, self.kept);
+            let is_free = |at: usize| self.checker.arc_free(poses[at], &knots[at], CHECK_SPACING, self.kept);
             let Some(first) = (from..knots.len()).find(|&at| !is_free(at)) else { return Some(knots) };
             let behind = (first + 1..knots.len()).find(|&at| is_free(at)).unwrap_or(knots.len());
             let mut best: Option<(f64, Word, usize, usize)> = None;
@@ -328,7 +328,7 @@ impl Joining<'_> {
         core::iter::from_fn(|| take_cheapest(&mut found)).find(|(_, word)| {
             let mut pose = from;
             word.arcs(self.costs.radius).all(|arc| {
-                let free = self.probe.arc_free(pose, &arc, CHECK_SPACING, self.margin);
+                let free = self.checker.arc_free(pose, &arc, CHECK_SPACING, self.margin);
                 pose = pose.advance(arc.curvature, arc.length);
                 free
             })

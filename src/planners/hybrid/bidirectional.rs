@@ -74,7 +74,7 @@ where
         let lattice: &StateLattice = (*other.domain).borrow();
         for gear in [-1, 0, 1] {
             if let Some(there) = other.reached(lattice.node(at.label.pose, gear)) {
-                self.bridge(trees, if side == 0 { [at, there] } else { [there, at] });
+                self.expand_between(trees, if side == 0 { [at, there] } else { [there, at] });
             }
         }
     }
@@ -83,14 +83,14 @@ where
 impl Cheapest<'_> {
     /// Takes a whole path if it costs less than the best one so far.
     fn keep(&mut self, arcs: Vec<Arc>) {
-        let cost = self.costs.path(self.search.probe, self.search.start, &arcs);
+        let cost = self.costs.path(self.search.checker, self.search.start, &arcs);
         if cost < self.cost {
             (self.cost, self.arcs) = (cost, arcs);
         }
     }
 
     /// Joins a state of the tree from the start to one of the tree from the goal.
-    fn bridge<'l, D>(&mut self, trees: Trees<D>, [from, to]: [Visit; 2])
+    fn expand_between<'l, D>(&mut self, trees: Trees<D>, [from, to]: [Visit; 2])
     where
         D: Domain<Cost = f64, Label = State, Tail = Word> + Borrow<StateLattice<'l>>,
     {
@@ -121,7 +121,7 @@ pub(super) fn search(
 ) -> Option<(Vec<Arc>, Status)> {
     let Work { report, scratch, progress } = work;
     let other = scratch.other.get_or_insert_default();
-    let Search { query, config, probe, .. } = *search;
+    let Search { query, config, checker, .. } = *search;
     let back = ObstacleHeuristic::new(
         query.obstacles,
         query.vehicle,
@@ -136,7 +136,7 @@ pub(super) fn search(
         let mirrored = side == 1;
         let costs = if mirrored { driven.mirrored() } else { driven };
         let setting =
-            Setting { probe, flood: floods[side], keys, costs, mirrored, watch, poses: None, roots: &[] };
+            Setting { checker, flood: floods[side], keys, costs, mirrored, watch, poses: None, roots: &[] };
         StateLattice::new(setting, query.vehicle, config, level, ends[1 - side], report.margin)
     };
     let (mut first, mut second) = (lattice(0, &scratch.keys), lattice(1, &other.keys));

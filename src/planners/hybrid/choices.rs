@@ -88,19 +88,19 @@ pub fn choices(
     (scratch, progress): (&mut Scratch, &mut Option<Progress>),
     offer: &mut dyn FnMut(Report) -> ControlFlow<()>,
 ) -> Report {
-    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
+    let checker = CollisionChecker::new(query.obstacles, query.vehicle);
     let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
     let locals: Vec<Pose> = goals.iter().map(|&pose| query.obstacles.local(pose)).collect();
     let is_inside = |goal: &Pose| query.obstacles.inside(goal.point()).is_none();
-    let free = |goal: &Pose| is_inside(goal) && probe.hit(*goal, 0.0).is_none();
+    let free = |goal: &Pose| is_inside(goal) && checker.hit(*goal, 0.0).is_none();
     let goals: Vec<Pose> = locals.into_iter().filter(free).collect();
     let goals = if goals.len() > 1 { &goals[..] } else { &[] };
-    let widest = if goals.is_empty() { 0.0 } else { widest::clearance(&probe, start, &first.arcs) };
+    let widest = if goals.is_empty() { 0.0 } else { widest::clearance(&checker, start, &first.arcs) };
     let mut margins = if goals.is_empty() {
-        let room = probe.clearance(start, ENOUGH_CLEARANCE).min(probe.clearance(goal, ENOUGH_CLEARANCE));
+        let room = checker.clearance(start, ENOUGH_CLEARANCE).min(checker.clearance(goal, ENOUGH_CLEARANCE));
         MARGIN_SHARES.map(|share| share * room).to_vec()
     } else {
-        widest::margins(&probe, start, goals, widest)
+        widest::margins(&checker, start, goals, widest)
     };
     margins.retain(|&margin| margin > first.margin);
     let parts = if goals.is_empty() { 1 } else { GAP_PARTS };
@@ -116,7 +116,7 @@ pub fn choices(
     let search = Search {
         query,
         config,
-        probe: &probe,
+        checker: &checker,
         flood,
         root,
         target,
@@ -134,7 +134,7 @@ pub fn choices(
     let mut run = Run { search, floods: &floods, kept, parts, widest, changes, first, work, offer };
     let wants = |one| prefer.is_none_or(|prefer| prefer == one);
     let _ = run.all(&wants);
-    report.collision_checks += probe.checks();
+    report.collision_checks += checker.checks();
     report
 }
 
@@ -311,7 +311,7 @@ impl Run<'_, '_> {
     /// first.
     fn wider_to_each(&mut self, margin: usize) -> Goes {
         let goals = self.search.goals;
-        for (room, at) in widest::by_room(self.search.probe, self.search.start, goals) {
+        for (room, at) in widest::by_room(self.search.checker, self.search.start, goals) {
             if room <= self.widest {
                 break;
             }
@@ -360,11 +360,11 @@ impl Run<'_, '_> {
             let mut path = core::mem::replace(self.work.report, counters);
             self.changes = self.changes.min(arcs::direction_changes(&path.arcs));
             if !self.search.goals.is_empty() {
-                let clearance = widest::clearance(self.search.probe, self.search.start, &path.arcs);
+                let clearance = widest::clearance(self.search.checker, self.search.start, &path.arcs);
                 self.widest = self.widest.max(clearance);
             }
             let costs = self.search.arrived(&path.arcs).costs();
-            path.cost = costs.path(self.search.probe, self.search.start, &path.arcs);
+            path.cost = costs.path(self.search.checker, self.search.start, &path.arcs);
             path.status = Status::Suboptimal;
             self.work.report.status = Status::Suboptimal;
             (self.offer)(path)?;

@@ -153,10 +153,10 @@ impl CostModel {
     }
 
     /// Cost of the places that a word from `from` leads through.
-    pub(super) fn word_places(&self, probe: &CollisionChecker, from: Pose, word: &Word) -> f64 {
+    pub(super) fn word_places(&self, checker: &CollisionChecker, from: Pose, word: &Word) -> f64 {
         let mut pose = from;
         word.arcs(self.radius).fold(0.0, |cost, arc| {
-            let cost = cost + self.places(probe, pose, &arc);
+            let cost = cost + self.places(checker, pose, &arc);
             pose = pose.advance(arc.curvature, arc.length);
             cost
         })
@@ -164,10 +164,10 @@ impl CostModel {
 
     /// Cost of the places that `arc` from `from` leads through: near obstacles, in reverse away from both ends, and
     /// with the middle of the rear axle over cells whose weight is above 1.
-    pub(super) fn places(&self, probe: &CollisionChecker, from: Pose, arc: &Arc) -> f64 {
+    pub(super) fn places(&self, checker: &CollisionChecker, from: Pose, arc: &Arc) -> f64 {
         let reverse = self.in_reverse(arc);
         let far_reverse = if reverse { self.far_reverse } else { 0.0 };
-        if far_reverse == 0.0 && self.obstacle == 0.0 && probe.paint().is_none() {
+        if far_reverse == 0.0 && self.obstacle == 0.0 && checker.paint().is_none() {
             return 0.0;
         }
         let steps = (arc.length.abs() / CLEARANCE_STEP).ceil().max(1.0);
@@ -177,13 +177,13 @@ impl CostModel {
         for k in 1..=steps as u32 {
             let pose = from.advance(arc.curvature, part * f64::from(k));
             if self.obstacle != 0.0 {
-                let room = probe.clearance(pose, self.obstacle_distance) / self.obstacle_distance;
+                let room = checker.clearance(pose, self.obstacle_distance) / self.obstacle_distance;
                 near += (1.0 - room).max(0.0) * (1.0 - room).max(0.0);
             }
             if far_reverse != 0.0 && self.ends.iter().all(|&end| (pose.point() - end).norm() > MANOEUVRE) {
                 far += 1.0;
             }
-            if let Some(paint) = probe.paint() {
+            if let Some(paint) = checker.paint() {
                 let chord = (pose.point() - last.point()).norm();
                 painted += (paint.along(last.point(), pose.point()) - chord).max(0.0);
             }
@@ -195,12 +195,12 @@ impl CostModel {
 
     /// Cost of a whole path from `start`.
     /// What a report's cost is: every term, sampled afresh along the path as driven.
-    pub(super) fn path(&self, probe: &CollisionChecker, start: Pose, arcs: &[Arc]) -> f64 {
+    pub(super) fn path(&self, checker: &CollisionChecker, start: Pose, arcs: &[Arc]) -> f64 {
         let (mut pose, mut before) = (start, Motion::default());
         let many = arcs::direction_changes(arcs).saturating_sub(FEW_CHANGES);
         let mut cost = self.many_changes * f64::from(many);
         for arc in arcs {
-            cost += self.arc(before, arc) + self.places(probe, pose, arc);
+            cost += self.arc(before, arc) + self.places(checker, pose, arc);
             before = Motion::after(arc);
             pose = pose.advance(arc.curvature, arc.length);
         }

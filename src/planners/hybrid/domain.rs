@@ -73,7 +73,7 @@ pub(super) struct Move {
 
 /// One search, from `root` to `target`, in local coordinates.
 pub(super) struct StateLattice<'a> {
-    pub(super) probe: &'a CollisionChecker<'a>,
+    pub(super) checker: &'a CollisionChecker<'a>,
     pub(super) flood: &'a ObstacleHeuristic,
     pub(super) keys: &'a RefCell<StateIndex>,
     pub(super) costs: CostModel,
@@ -106,7 +106,7 @@ pub(super) struct StateLattice<'a> {
 /// Parts of a lattice.
 #[derive(Clone, Copy)]
 pub(super) struct Setting<'a> {
-    pub(super) probe: &'a CollisionChecker<'a>,
+    pub(super) checker: &'a CollisionChecker<'a>,
     pub(super) flood: &'a ObstacleHeuristic,
     pub(super) keys: &'a RefCell<StateIndex>,
     pub(super) costs: CostModel,
@@ -139,7 +139,7 @@ impl<'a> StateLattice<'a> {
             .collect();
         let sampling = Sampling::new(level.spacing, margin, setting.costs.radius);
         Self {
-            probe: setting.probe,
+            checker: setting.checker,
             flood: setting.flood,
             keys: setting.keys,
             costs: setting.costs,
@@ -189,7 +189,7 @@ impl<'a> StateLattice<'a> {
     }
 
     fn key(&self, pose: Pose, gear: i8) -> u64 {
-        let clear_by = self.level.shuffle && self.probe.clear_by(pose, SHUFFLE_CLEARANCE);
+        let clear_by = self.level.shuffle && self.checker.clear_by(pose, SHUFFLE_CLEARANCE);
         let (xy, yaw) = if clear_by { SHUFFLE_BINS } else { (self.level.xy, self.level.yaw) };
         // The offset keeps what lies left of or below the origin positive.
         let cell = |v: f64| (v / xy + f64::from(1 << 20)) as u64 & 0x1f_ffff;
@@ -200,7 +200,7 @@ impl<'a> StateLattice<'a> {
     }
 
     fn free(&self, from: Pose, arc: &Arc) -> bool {
-        self.probe.arc_free(from, arc, self.level.spacing, self.margin)
+        self.checker.arc_free(from, arc, self.level.spacing, self.margin)
     }
 
     /// How far the body can go from `from`.
@@ -215,7 +215,7 @@ impl<'a> StateLattice<'a> {
     fn is_primitive_free(&self, from: Pose, arc: &Arc) -> bool {
         let is_tightest = arc.curvature == 0.0 || self.level.steer_samples == 1;
         if is_tightest {
-            self.ahead(&self.reach[0], from).is_free(self.probe, arc)
+            self.ahead(&self.reach[0], from).is_free(self.checker, arc)
         } else {
             self.free(from, arc)
         }
@@ -227,7 +227,7 @@ impl<'a> StateLattice<'a> {
         if !self.level.shuffle {
             return [arc.length, 0.0];
         }
-        let far = self.probe.free_length(from, arc, self.level.spacing, self.margin);
+        let far = self.checker.free_length(from, arc, self.level.spacing, self.margin);
         [far, far / 2.0].map(|far| if far < MIN_SHUFFLE_MOVE { 0.0 } else { far.copysign(arc.length) })
     }
 
@@ -265,11 +265,15 @@ impl<'a> StateLattice<'a> {
             self.tried.set((words + 1, checks));
             return false;
         }
-        let before = self.probe.checks();
+        let before = self.checker.checks();
         let [ahead, back] = &self.reach;
-        let free =
-            self.ahead(ahead, from).is_word_free(&mut back.borrow_mut(), self.probe, word, self.costs.radius);
-        self.tried.set((words + 1, checks.saturating_add(self.probe.checks() - before)));
+        let free = self.ahead(ahead, from).is_word_free(
+            &mut back.borrow_mut(),
+            self.checker,
+            word,
+            self.costs.radius,
+        );
+        self.tried.set((words + 1, checks.saturating_add(self.checker.checks() - before)));
         free
     }
 }
@@ -300,7 +304,7 @@ impl Domain for StateLattice<'_> {
         self.list_moves(from, &mut moves);
         for &Move { node, cost, arc, to, .. } in &*moves {
             if sink.improves(node, cost) && (self.level.shuffle || self.is_primitive_free(pose, &arc)) {
-                sink.emit(node, cost + self.costs.places(self.probe, pose, &arc), to);
+                sink.emit(node, cost + self.costs.places(self.checker, pose, &arc), to);
             }
         }
         #[cfg(feature = "complete")]
@@ -369,7 +373,7 @@ impl Domain for StateLattice<'_> {
                 missed.get_or_insert(word);
                 continue;
             }
-            let cost = cost + self.costs.word_places(self.probe, pose, &word);
+            let cost = cost + self.costs.word_places(self.checker, pose, &word);
             if at.g + cost < bound && best.as_ref().is_none_or(|best| cost < best.cost) {
                 best = Some(Finish { cost, tail: word });
             }
@@ -377,7 +381,7 @@ impl Domain for StateLattice<'_> {
         self.words = found;
         if let Some(watch) = self.watch {
             let rules = (self.costs.radius, self.level.spacing, self.margin);
-            watch.borrow_mut().note(&self.probe.clone(), pose, missed.as_ref(), rules, self.mirrored);
+            watch.borrow_mut().note(&self.checker.clone(), pose, missed.as_ref(), rules, self.mirrored);
         }
         best
     }

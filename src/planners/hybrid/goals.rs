@@ -70,20 +70,21 @@ pub fn plan_any(
     trace: bool,
     progress: &mut Option<Progress>,
 ) -> (usize, Report) {
-    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
+    let checker = CollisionChecker::new(query.obstacles, query.vehicle);
     let local = |pose| query.obstacles.local(pose);
     let mut free: Vec<usize> = Vec::new();
     if goals.len() > 1 {
         free = with_room(query.obstacles, query.vehicle, goals, 0.0);
     }
     let here = goals.iter().position(|&goal| is_same(goal, query.start));
-    if here.is_some() || free.len() < 2 || !is_free(&probe, query.obstacles, query.start, 0.0) {
+    if here.is_some() || free.len() < 2 || !is_free(&checker, query.obstacles, query.start, 0.0) {
         let only = here.or(free.first().copied()).unwrap_or(0);
         return (only, plan(&Query { goal: goals[only], ..*query }, config, scratch, trace, progress));
     }
     let poses: Vec<Pose> = free.iter().map(|&at| local(goals[at])).collect();
     let worlds = free.iter().map(|&at| goals[at]).collect();
-    let many = Many { query, config, trace, probe: &probe, start: local(query.start), goals: &poses, worlds };
+    let many =
+        Many { query, config, trace, checker: &checker, start: local(query.start), goals: &poses, worlds };
     let (at, report) = many.plan(scratch, progress);
     (free[at], report)
 }
@@ -98,15 +99,15 @@ pub fn goal_of(query: &Query, goals: &[Pose], report: &Report) -> Pose {
 /// Of some poses those at which the body keeps `margin`, metres.
 /// Indices into `poses`, which are in world coordinates. A pose inside a solid obstacle has no room.
 pub fn with_room(obstacles: &Obstacles, vehicle: &Vehicle, poses: &[Pose], margin: f64) -> Vec<usize> {
-    let probe = CollisionChecker::new(obstacles, vehicle);
-    let has_room = |&at: &usize| is_free(&probe, obstacles, poses[at], margin);
+    let checker = CollisionChecker::new(obstacles, vehicle);
+    let has_room = |&at: &usize| is_free(&checker, obstacles, poses[at], margin);
     (0..poses.len()).filter(has_room).collect()
 }
 
 /// True if a body at a pose in world coordinates keeps `margin` and does not stand inside an obstacle.
-fn is_free(probe: &CollisionChecker, obstacles: &Obstacles, pose: Pose, margin: f64) -> bool {
+fn is_free(checker: &CollisionChecker, obstacles: &Obstacles, pose: Pose, margin: f64) -> bool {
     let pose = obstacles.local(pose);
-    obstacles.inside(pose.point()).is_none() && probe.hit(pose, margin).is_none()
+    obstacles.inside(pose.point()).is_none() && checker.hit(pose, margin).is_none()
 }
 
 /// True if two poses differ by less than a micrometre and a microradian.
@@ -120,7 +121,7 @@ struct Many<'a> {
     query: &'a Query<'a>,
     config: &'a Config,
     trace: bool,
-    probe: &'a CollisionChecker<'a>,
+    checker: &'a CollisionChecker<'a>,
     /// In local coordinates, as the goals.
     start: Pose,
     goals: &'a [Pose],
@@ -174,7 +175,7 @@ impl Many<'_> {
 
     /// The path in a report, with the goal that it leads to; the report then has counters only.
     fn kept(&self, report: &mut Report) -> Option<(usize, Report)> {
-        let counters = Report { collision_checks: self.probe.checks(), ..report.counters() };
+        let counters = Report { collision_checks: self.checker.checks(), ..report.counters() };
         let found = core::mem::replace(report, counters);
         (!found.arcs.is_empty()).then(|| (nearest(self.goals, arcs::end(self.start, &found.arcs)), found))
     }
@@ -184,7 +185,7 @@ impl Many<'_> {
     fn keeps(&self, found: &Report, margin: f64) -> bool {
         let mut pose = self.start;
         found.arcs.iter().all(|arc| {
-            let is_free = self.probe.arc_free(pose, arc, MARGIN_SPACING, margin);
+            let is_free = self.checker.arc_free(pose, arc, MARGIN_SPACING, margin);
             pose = pose.advance(arc.curvature, arc.length);
             is_free
         })
@@ -192,7 +193,7 @@ impl Many<'_> {
 
     /// Distance from the body at a pose to the nearest obstacle, metres, up to what is of interest here.
     fn clearance(&self, pose: Pose) -> f64 {
-        self.probe.clearance(pose, self.config.margin.max(TIGHT_CLEARANCE))
+        self.checker.clearance(pose, self.config.margin.max(TIGHT_CLEARANCE))
     }
 
     /// The margin to a goal with this much room.
@@ -237,7 +238,7 @@ impl Many<'_> {
             let search = Search {
                 query: self.query,
                 config: self.config,
-                probe: self.probe,
+                checker: self.checker,
                 flood,
                 root: first,
                 target: self.start,

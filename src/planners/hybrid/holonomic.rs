@@ -76,7 +76,7 @@ type Box3 = [i32; 3];
 
 /// The boxes about one pose.
 struct Boxes<'a> {
-    probe: &'a CollisionChecker<'a>,
+    checker: &'a CollisionChecker<'a>,
     flood: &'a ObstacleHeuristic,
     root: Pose,
     /// Middle of the body at the root.
@@ -92,7 +92,7 @@ struct Boxes<'a> {
 
 impl<'a> Boxes<'a> {
     fn new(
-        (probe, vehicle): (&'a CollisionChecker<'a>, &Vehicle),
+        (checker, vehicle): (&'a CollisionChecker<'a>, &Vehicle),
         flood: &'a ObstacleHeuristic,
         root: Pose,
         side: f64,
@@ -104,7 +104,7 @@ impl<'a> Boxes<'a> {
         let moved = side * core::f64::consts::FRAC_1_SQRT_2 + corner * math::PI / count;
         let ahead = vehicle.middle();
         Self {
-            probe,
+            checker,
             flood,
             root,
             origin: root.to_world(Point::new(ahead, 0.0)),
@@ -180,7 +180,7 @@ impl<'a> Boxes<'a> {
                     return Search::Unknown;
                 }
                 let (pose, heading) = self.middle(one);
-                if one == wanted || self.probe.fits(pose.point(), heading, self.margin) {
+                if one == wanted || self.checker.fits(pose.point(), heading, self.margin) {
                     low = low.min(self.open(&mut classes, boxes.len() as u32 - 1, pose));
                 }
             }
@@ -219,11 +219,11 @@ mod tests {
         let walls: Vec<Edge> = walls.iter().map(edge).collect();
         let outline = floor.iter().map(|&(x, y)| Point::new(x, y)).collect();
         let obstacles = Obstacles::new(&walls, &[], &Solid { outline, owner: 0 });
-        let probe = CollisionChecker::new(&obstacles, &CART);
+        let checker = CollisionChecker::new(&obstacles, &CART);
         let [root, target] = ends.map(|pose| obstacles.local(pose));
-        assert!([root, target].iter().all(|&pose| probe.hit(pose, 0.0).is_none()));
+        assert!([root, target].iter().all(|&pose| checker.hit(pose, 0.0).is_none()));
         let flood = ObstacleHeuristic::new(&obstacles, &CART, target, 0.0, None);
-        proven_apart((&probe, &CART), &flood, [root, target], 0.0, &mut StateIndex::default()).is_some()
+        proven_apart((&checker, &CART), &flood, [root, target], 0.0, &mut StateIndex::default()).is_some()
     }
 
     #[test]

@@ -133,7 +133,7 @@ impl Search<'_> {
     fn reconsider(&self, level: Level, work: &mut Work) {
         let this = self.arrived(&work.report.arcs);
         let without = this.costs().with_far_reverse(0.0);
-        let price = work.report.cost - without.path(self.probe, self.start, &work.report.arcs);
+        let price = work.report.cost - without.path(self.checker, self.start, &work.report.arcs);
         if price > FAR_REVERSE_PRICE {
             let level = Level {
                 weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
@@ -159,7 +159,7 @@ impl Search<'_> {
             max_expansions: level.max_expansions.min(most),
             ..level
         };
-        let bound = self.costs().searching(&level).path(self.probe, self.start, &work.report.arcs);
+        let bound = self.costs().searching(&level).path(self.checker, self.start, &work.report.arcs);
         self.retry(Level { bound, ..level }, Some(work.report.status), work);
     }
 
@@ -187,7 +187,7 @@ impl Search<'_> {
             let arcs = this.improve(arcs, level, work.report.margin);
             if this.verified(&arcs) {
                 let costs = this.costs();
-                work.report.cost = costs.path(self.probe, self.start, &arcs);
+                work.report.cost = costs.path(self.checker, self.start, &arcs);
                 work.report.arcs = arcs;
                 work.report.status = status;
                 return true;
@@ -225,7 +225,7 @@ impl Search<'_> {
         let driven = self.costs().searching(&level);
         let costs = if self.mirrored { driven.mirrored() } else { driven };
         let setting = Setting {
-            probe: self.probe,
+            checker: self.checker,
             flood: self.flood,
             keys: &scratch.keys,
             costs,
@@ -280,7 +280,7 @@ impl Search<'_> {
             return arcs;
         }
         let costs = self.costs().with_far_reverse(level.far_reverse);
-        let rules = shortcut::Rules { probe: self.probe, costs: &costs, spacing: level.spacing, margin };
+        let rules = shortcut::Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
         shortcut::shortcut(rules, self.start, arcs)
     }
 
@@ -288,7 +288,7 @@ impl Search<'_> {
     fn verified(&self, arcs: &[Arc]) -> bool {
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {
-            let free = self.probe.arc_free(pose, arc, VERIFY_SPACING, 0.0);
+            let free = self.checker.arc_free(pose, arc, VERIFY_SPACING, 0.0);
             pose = pose.advance(arc.curvature, arc.length);
             free
         });

@@ -136,92 +136,138 @@ fn search_alone(
     trace: bool,
     progress: &mut Option<Progress>,
 ) -> Report {
-    let local = |pose| query.obstacles.local(pose);
-    let (start, goal) = (local(query.start), local(query.goal));
-    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
-    let radius = query.vehicle.min_turning_radius();
-    let mut report = Report::empty(reeds_shepp::distance(start, goal, radius));
-    let blocked = |pose: Pose| query.obstacles.inside(pose.point()).or_else(|| probe.hit(pose, 0.0));
-    if let Some(owner) = blocked(start) {
-        report.status = Status::StartInCollision(owner);
-        report.obstruction = Some(Obstruction::Contact { at_start: true, owner });
-        return report;
-    }
-    if let Some(owner) = blocked(goal) {
-        report.status = Status::GoalInCollision(owner);
-        report.obstruction = Some(Obstruction::Contact { at_start: false, owner });
+    let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
+    let checker = CollisionChecker::new(query.obstacles, query.vehicle);
+    let local = Local { query, checker: &checker, start, goal };
+    let mut report = Report::empty(reeds_shepp::distance(start, goal, query.vehicle.min_turning_radius()));
+    if local.refuses_contact(&mut report) {
         return report;
     }
     let look = config.margin.max(TIGHT_CLEARANCE);
-    let clearance = probe.clearance(start, look).min(probe.clearance(goal, look));
-    report.margin = config.margin.max(MIN_MARGIN).min(clearance);
+    let clearance = checker.clearance(start, look).min(checker.clearance(goal, look));
+    let margin = config.margin.max(MIN_MARGIN).min(clearance);
+    report.margin = margin;
     let apart = (goal.point() - start.point()).norm();
     if apart <= 1e-6 && math::turn(start.heading, goal.heading).abs() <= 1e-6 {
         report.status = Status::Found;
         return report;
     }
-    let travels = |margin| [start, goal].map(|pose| travel(&probe, query.vehicle, pose, margin));
-    let [from_start, from_goal] = travels(report.margin);
-    let margin = report.margin;
-    // Where the search from the end that was asked for finds nothing, the portfolio starts at the one that is hard to
-    // leave.
+    let room = Room { margin, is_tight: clearance < TIGHT_CLEARANCE, travels: local.travels(margin) };
+    let mut work = Work { report: &mut report, scratch, progress };
+    for config in &attempts(config) {
+        local.search(config, &room, trace, &mut work);
+        if !work.report.arcs.is_empty() || work.progress.as_ref().is_some_and(Progress::is_stopped) {
+            break;
+        }
+    }
+    report.stats.bytes += query.obstacles.bytes();
+    report.collision_checks = checker.checks();
+    local.explain(&mut report);
+    report
+}
+
+/// The settings that are tried in turn. Where the search from the end that was asked for finds nothing, the portfolio
+/// starts at the one that is hard to leave.
+fn attempts(config: &Config) -> Vec<Config> {
     let from_asked = Config { ladder: false, ..*config };
     let from_any = Config { search_from: SearchFrom::Goal, ..*config };
-    let both = [from_asked, from_any];
-    let attempts = match (config.search_from == SearchFrom::Goal, config.levels()) {
-        (true, _) => &both[1..],
-        (false, 1) => &both[..1],
-        (false, _) => &both[..],
-    };
-    for config in attempts {
+    match (config.search_from == SearchFrom::Goal, config.levels()) {
+        (true, _) => vec![from_any],
+        (false, 1) => vec![from_asked],
+        (false, _) => vec![from_asked, from_any],
+    }
+}
+
+/// A question in the obstacles' coordinates.
+struct Local<'a> {
+    query: &'a Query<'a>,
+    checker: &'a CollisionChecker<'a>,
+    start: Pose,
+    goal: Pose,
+}
+
+/// The room at both ends.
+struct Room {
+    /// The margin asked for, or what the ends leave of it, metres.
+    margin: f64,
+    is_tight: bool,
+    /// How far the car can go from start and goal with that margin.
+    travels: [f64; 2],
+}
+
+impl Local<'_> {
+    /// True if the car touches something at one of its ends; the report then says what.
+    fn refuses_contact(&self, report: &mut Report) -> bool {
+        let obstacles = self.query.obstacles;
+        for (at_start, pose) in [(true, self.start), (false, self.goal)] {
+            let owner = obstacles.inside(pose.point()).or_else(|| self.checker.hit(pose, 0.0));
+            if let Some(owner) = owner {
+                report.status =
+                    if at_start { Status::StartInCollision(owner) } else { Status::GoalInCollision(owner) };
+                report.obstruction = Some(Obstruction::Contact { at_start, owner });
+                return true;
+            }
+        }
+        false
+    }
+
+    /// How far the car can go at start and goal, ahead and back together, metres.
+    fn travels(&self, margin: f64) -> [f64; 2] {
+        [self.start, self.goal].map(|pose| travel(self.checker, self.query.vehicle, pose, margin))
+    }
+
+    /// The portfolio from the end that is hard to leave, or from the one asked for.
+    fn search(&self, config: &Config, room: &Room, trace: bool, work: &mut Work) {
+        let Self { query, checker, start, goal } = *self;
+        let [from_start, from_goal] = room.travels;
         let mirrored = config.search_from != SearchFrom::Start
             && (from_start >= STUCK_TRAVEL || from_start >= from_goal);
         let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
-        let floods = Floods::new(query, config, [target, root], margin, scratch.flood.take());
-        (report.margin, report.obstruction) = (floods.least(), None);
+        let floods = Floods::new(query, config, [target, root], room.margin, work.scratch.flood.take());
+        (work.report.margin, work.report.obstruction) = (floods.least(), None);
         if let Some((widest, flood)) = floods.widest() {
-            report.margin = floods.margin(widest);
+            work.report.margin = floods.margin(widest);
             let search = Search {
                 query,
                 config,
-                probe: &probe,
+                checker,
                 flood,
                 root,
                 target,
                 mirrored,
                 start,
                 goal,
-                tight: clearance < TIGHT_CLEARANCE,
+                tight: room.is_tight,
                 trace,
                 #[cfg(feature = "complete")]
                 poses: None,
                 #[cfg(feature = "complete")]
                 goals: &[],
             };
-            portfolio::plan(search, &floods, widest, &mut Work { report: &mut report, scratch, progress });
+            portfolio::plan(search, &floods, widest, work);
         } else {
-            (report.status, report.obstruction) = unreachable(query, [start, goal], report.margin);
+            (work.report.status, work.report.obstruction) =
+                unreachable(query, [start, goal], work.report.margin);
         }
-        report.stats.bytes += floods.bytes();
-        scratch.flood = floods.into_memory();
-        if !report.arcs.is_empty() || progress.as_ref().is_some_and(Progress::is_stopped) {
-            break;
+        work.report.stats.bytes += floods.bytes();
+        work.scratch.flood = floods.into_memory();
+    }
+
+    /// Says what is in the way where there is no path.
+    fn explain(&self, report: &mut Report) {
+        let [from_start, from_goal] = self.travels(report.margin);
+        let least = from_start.min(from_goal);
+        if report.status == Status::NoPath && least < STUCK_TRAVEL {
+            let at_start = from_start < from_goal;
+            let stuck = if at_start { self.start } else { self.goal };
+            report.status = Status::BoxedIn { at_start, travel: least };
+            let stops = obstruction::stops(self.checker, self.query, stuck, report.margin);
+            report.obstruction = Some(Obstruction::BoxedIn { at_start, stops });
+        } else if report.arcs.is_empty() && report.obstruction.is_none() {
+            let nearest = |pose: Pose| Obstruction::Nearest { at: pose.point(), heading: Some(pose.heading) };
+            report.obstruction = report.closest.map(nearest);
         }
     }
-    report.stats.bytes += query.obstacles.bytes();
-    report.collision_checks = probe.checks();
-    let [from_start, from_goal] = travels(report.margin);
-    let least = from_start.min(from_goal);
-    if report.status == Status::NoPath && least < STUCK_TRAVEL {
-        let at_start = from_start < from_goal;
-        report.status = Status::BoxedIn { at_start, travel: least };
-        let stops = obstruction::stops(&probe, query, if at_start { start } else { goal }, report.margin);
-        report.obstruction = Some(Obstruction::BoxedIn { at_start, stops });
-    } else if report.arcs.is_empty() && report.obstruction.is_none() {
-        report.obstruction =
-            report.closest.map(|pose| Obstruction::Nearest { at: pose.point(), heading: Some(pose.heading) });
-    }
-    report
 }
 
 /// Why there is no way at all, and where it ends.
@@ -234,10 +280,10 @@ fn unreachable(query: &Query, ends: [Pose; 2], margin: f64) -> (Status, Option<O
 }
 
 /// How far the body can go ahead and back from a pose, together, metres; a metre each way at most.
-fn travel(probe: &CollisionChecker, vehicle: &Vehicle, pose: Pose, margin: f64) -> f64 {
+fn travel(checker: &CollisionChecker, vehicle: &Vehicle, pose: Pose, margin: f64) -> f64 {
     let limit = vehicle.max_curvature();
     let way = |length: f64| {
-        let far = |curvature: f64| probe.free_length(pose, &Arc { curvature, length }, 0.05, margin);
+        let far = |curvature: f64| checker.free_length(pose, &Arc { curvature, length }, 0.05, margin);
         [-limit, 0.0, limit].into_iter().map(far).fold(0.0, f64::max)
     };
     way(1.0) + way(-1.0)

@@ -32,15 +32,15 @@ pub(super) fn enclosed(query: &Query, [start, goal]: [Pose; 2], margin: f64) -> 
 /// How far the car gets from a local pose that it can hardly leave, and what stops it.
 /// At most six pairs of a pose and an obstacle's owner: full lock left, straight, full lock right, ahead and in
 /// reverse. Poses are in world coordinates. Directions in which the car gets a whole metre are left out.
-pub(super) fn stops(probe: &CollisionChecker, query: &Query, pose: Pose, margin: f64) -> Vec<(Pose, u32)> {
+pub(super) fn stops(checker: &CollisionChecker, query: &Query, pose: Pose, margin: f64) -> Vec<(Pose, u32)> {
     let limit = query.vehicle.max_curvature();
     let shift = query.start.point() - query.obstacles.local(query.start).point();
     let mut stops = Vec::new();
     for length in [1.0, -1.0] {
         for curvature in [-limit, 0.0, limit] {
-            let far = probe.free_length(pose, &Arc { curvature, length }, PROBE_DEPTH, margin);
+            let far = checker.free_length(pose, &Arc { curvature, length }, PROBE_DEPTH, margin);
             let at = |far: f64| pose.advance(curvature, far.copysign(length));
-            if let Some(owner) = probe.hit(at(far + PROBE_DEPTH), margin) {
+            if let Some(owner) = checker.hit(at(far + PROBE_DEPTH), margin) {
                 let end = at(far);
                 stops.push((Pose::new(end.x + shift.x, end.y + shift.y, end.heading), owner));
             }

@@ -56,7 +56,7 @@ impl PoseHeuristic {
     /// Searches from `target` towards `root`, to which `flood` tells the way. A gear change costs `change` metres.
     #[inline(never)]
     pub(super) fn new(
-        (probe, vehicle): (&CollisionChecker, &Vehicle),
+        (checker, vehicle): (&CollisionChecker, &Vehicle),
         flood: &ObstacleHeuristic,
         [root, target]: [Pose; 2],
         (margin, change): (f64, f64),
@@ -91,7 +91,7 @@ impl PoseHeuristic {
                     let pose = pose.advance(curvature, sign * step);
                     let id = this.id(pose);
                     let known = &mut this.costs[id as usize][before];
-                    if cost >= *known || !probe.fits(pose.point(), math::sin_cos(pose.heading), margin) {
+                    if cost >= *known || !checker.fits(pose.point(), math::sin_cos(pose.heading), margin) {
                         continue;
                     }
                     *known = cost;
@@ -206,12 +206,12 @@ mod tests {
         let floor = Solid { outline: corners.map(|(x, y)| Point::new(x, y)).to_vec(), owner: 0 };
         let obstacles = Obstacles::new(&walls, &[], &floor);
         let car = Vehicle::SEDAN;
-        let probe = CollisionChecker::new(&obstacles, &car);
+        let checker = CollisionChecker::new(&obstacles, &car);
         let pose = |x: f64, y: f64, heading: f64| obstacles.local(Pose::new(x, y, heading));
         let [root, target] = [pose(2.0, 2.0, 0.0), pose(15.0, 6.0, 0.0)];
         let flood = ObstacleHeuristic::new(&obstacles, &car, root, 0.0, None);
-        let poses = PoseHeuristic::new((&probe, &car), &flood, [root, target], (0.0, 1.0));
-        test(&probe, &poses, &pose);
+        let poses = PoseHeuristic::new((&checker, &car), &flood, [root, target], (0.0, 1.0));
+        test(&checker, &poses, &pose);
     }
 
     #[test]
@@ -240,9 +240,9 @@ mod tests {
     #[test]
     fn a_gap_that_a_car_cannot_turn_into_is_no_way() {
         let gap = [[9.0, 0.0, 9.0, 9.0], [11.2, 3.0, 11.2, 12.0]];
-        hall(&gap, |probe, poses, pose| {
+        hall(&gap, |checker, poses, pose| {
             let from = pose(2.0, 2.0, 0.0);
-            assert!(probe.hit(from, 0.0).is_none());
+            assert!(checker.hit(from, 0.0).is_none());
             assert!(poses.cost(from, 0, 0.0) >= UNREACHED_COST, "{}", poses.cost(from, 0, 0.0));
         });
     }

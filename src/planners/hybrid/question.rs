@@ -97,7 +97,7 @@ pub(super) struct Search<'a> {
     /// The settings that are asked for; a level may replace costs and resolution.
     pub(super) config: &'a Config,
     /// Counts all collision checks of the plan.
-    pub(super) probe: &'a CollisionChecker<'a>,
+    pub(super) checker: &'a CollisionChecker<'a>,
     /// The ways around obstacles to `target`, for a disc with the margin of this search.
     pub(super) flood: &'a ObstacleHeuristic,
     /// Where the tree begins.

@@ -50,13 +50,13 @@ impl PoseRecording {
             from_goal: sides[0].0.mirrored,
             ..Self::default()
         };
-        // The probe counts, so it must not be the search's own.
-        let probe = sides[0].0.probe.clone();
+        // The checker counts, so it must not be the search's own.
+        let checker = sides[0].0.checker.clone();
         for (step, moves) in recording.first.windows(2).enumerate() {
             let lattice = sides[usize::from(recording.kinds[step] >= BACKWARD)].0;
             let moves = moves[0] as usize..moves[1] as usize;
             for (&label, &fate) in labels[moves.clone()].iter().zip(&recording.fates[moves]) {
-                out.offer(lattice, &probe, label, fate == Fate::Blocked as u8, world);
+                out.offer(lattice, &checker, label, fate == Fate::Blocked as u8, world);
             }
         }
         out.recording = recording;
@@ -67,7 +67,7 @@ impl PoseRecording {
     fn offer(
         &mut self,
         lattice: &StateLattice,
-        probe: &CollisionChecker,
+        checker: &CollisionChecker,
         State { mut pose, motion, mut length }: State,
         is_blocked: bool,
         world: impl Fn(Pose) -> Pose,
@@ -76,9 +76,9 @@ impl PoseRecording {
         if is_blocked {
             let from = pose.advance(motion.curvature, -length);
             let arc = Arc { curvature: motion.curvature, length };
-            let far = probe.free_length(from, &arc, lattice.level.spacing, lattice.margin);
+            let far = checker.free_length(from, &arc, lattice.level.spacing, lattice.margin);
             let beyond = (far + lattice.level.spacing).min(length.abs()).copysign(length);
-            let hit = probe.hit(from.advance(motion.curvature, beyond), lattice.margin);
+            let hit = checker.hit(from.advance(motion.curvature, beyond), lattice.margin);
             owner = hit.unwrap_or(Self::NOBODY);
             length = far.copysign(length);
             pose = from.advance(motion.curvature, length);

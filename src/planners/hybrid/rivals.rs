@@ -94,9 +94,9 @@ pub(super) fn compare(
 /// What a path costs under the settings asked for.
 fn cost(query: &Query, config: &Config, report: &Report) -> f64 {
     let [start, goal] = [query.start, query.goal].map(|pose| query.obstacles.local(pose));
-    let probe = CollisionChecker::new(query.obstacles, query.vehicle);
+    let checker = CollisionChecker::new(query.obstacles, query.vehicle);
     CostModel::driven(config, query.vehicle.min_turning_radius(), [start, goal]).path(
-        &probe,
+        &checker,
         start,
         &report.arcs,
     )

@@ -33,7 +33,7 @@ const MAX_PAIRS: usize = 6000;
 /// How a replacement is tested.
 #[derive(Clone, Copy)]
 pub(super) struct Rules<'a> {
-    pub(super) probe: &'a CollisionChecker<'a>,
+    pub(super) checker: &'a CollisionChecker<'a>,
     pub(super) costs: &'a CostModel,
     /// Spacing of collision checks, metres.
     pub(super) spacing: f64,
@@ -46,13 +46,13 @@ pub(super) struct Rules<'a> {
 /// Start and end pose stay as they are to rounding, and the cost never rises. `path` must be free by the same rules;
 /// what is not replaced is not checked again.
 pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
-    let limit = rules.probe.checks().saturating_add(MAX_CHECKS);
+    let limit = rules.checker.checks().saturating_add(MAX_CHECKS);
     for knot in KNOT_SPACINGS {
         for _ in 0..MAX_PASSES {
             let mut pass = Pass::new(rules, start, split(&path, knot));
             let improved = pass.run(limit);
             path = arcs::merge(pass.knots);
-            if !improved || rules.probe.checks() >= limit {
+            if !improved || rules.checker.checks() >= limit {
                 break;
             }
         }
@@ -111,7 +111,7 @@ impl<'a> Pass<'a> {
         for k in from..self.knots.len() {
             let (arc, pose) = (self.knots[k], self.poses[k]);
             let cost = self.rules.costs.arc(self.before(k), &arc)
-                + self.rules.costs.places(self.rules.probe, pose, &arc);
+                + self.rules.costs.places(self.rules.checker, pose, &arc);
             self.poses.push(pose.advance(arc.curvature, arc.length));
             self.spent.push(self.spent[k] + cost);
             let changed = changes(self.before(k), [arc], None);
@@ -136,7 +136,7 @@ impl<'a> Pass<'a> {
         while i < self.knots.len() {
             self.ahead = Reach::new(self.poses[i], self.sampling);
             for j in (i + 2..=self.knots.len().min(i + self.reach)).rev() {
-                if self.rules.probe.checks() >= limit {
+                if self.rules.checker.checks() >= limit {
                     return improved;
                 }
                 if let Some(word) = self.better(i, j) {
@@ -153,7 +153,7 @@ impl<'a> Pass<'a> {
 
     /// The cheapest free curve from knot `i` to knot `j` that costs less than the stretch and has no more gear changes.
     fn better(&mut self, i: usize, j: usize) -> Option<Word> {
-        let Rules { probe, costs, .. } = self.rules;
+        let Rules { checker, costs, .. } = self.rules;
         let (from, to) = (self.poses[i], self.poses[j]);
         let old = self.spent[j] - self.spent[i] + self.join(j, &self.knots[j - 1]) - MIN_GAIN;
         let longest = old - self.knots.get(j).map_or(0.0, |next| next.length.abs());
@@ -177,15 +177,15 @@ impl<'a> Pass<'a> {
             }
         }
         core::iter::from_fn(|| take_cheapest(&mut found))
-            .find(|(cost, word)| self.free(j, word) && cost + costs.word_places(probe, from, word) < old)
+            .find(|(cost, word)| self.free(j, word) && cost + costs.word_places(checker, from, word) < old)
             .map(|found| found.1)
     }
 
     /// True if a word from the knot at hand to knot `to` can be driven.
     fn free(&mut self, to: usize, word: &Word) -> bool {
-        let Rules { probe, costs, .. } = self.rules;
+        let Rules { checker, costs, .. } = self.rules;
         let back = self.back[to].get_or_insert_with(|| Reach::new(self.poses[to], self.sampling));
-        self.ahead.is_word_free(back, probe, word, costs.radius)
+        self.ahead.is_word_free(back, checker, word, costs.radius)
     }
 }
 

@@ -27,9 +27,9 @@ const MAX_GOALS_ONE_BY_ONE: usize = 8;
 
 /// Margins for the widest path to one of some goals, largest first: shares of the room at each, which counts up to the
 /// room at the start. All are more than `least`. Between two of them are more, by which the gap is halved.
-pub(super) fn margins(probe: &CollisionChecker, start: Pose, goals: &[Pose], least: f64) -> Vec<f64> {
-    let at_start = probe.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
-    let rooms = goals.iter().map(|&goal| probe.clearance(goal, ENOUGH_CLEARANCE_AMONG_GOALS).min(at_start));
+pub(super) fn margins(checker: &CollisionChecker, start: Pose, goals: &[Pose], least: f64) -> Vec<f64> {
+    let at_start = checker.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
+    let rooms = goals.iter().map(|&goal| checker.clearance(goal, ENOUGH_CLEARANCE_AMONG_GOALS).min(at_start));
     let mut shares: Vec<f64> = rooms.flat_map(|room| MARGIN_SHARES.map(|share| share * room)).collect();
     shares.retain(|&margin| margin > least);
     shares.sort_by(|a, b| b.total_cmp(a));
@@ -49,14 +49,14 @@ pub(super) fn margins(probe: &CollisionChecker, start: Pose, goals: &[Pose], lea
 
 /// The least distance from the body to an obstacle along a path, metres; three at most.
 /// Sampled every 10 cm; the distances themselves are exact.
-pub(super) fn clearance(probe: &CollisionChecker, start: Pose, path: &[Arc]) -> f64 {
+pub(super) fn clearance(checker: &CollisionChecker, start: Pose, path: &[Arc]) -> f64 {
     let mut pose = start;
-    let mut least = probe.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
+    let mut least = checker.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
     for arc in path {
         let steps = (arc.length.abs() / CLEARANCE_SPACING).ceil().max(1.0);
         for k in 1..=steps as u32 {
             let at = pose.advance(arc.curvature, arc.length * f64::from(k) / steps);
-            least = least.min(probe.clearance(at, least));
+            least = least.min(checker.clearance(at, least));
         }
         pose = pose.advance(arc.curvature, arc.length);
     }
@@ -64,9 +64,9 @@ pub(super) fn clearance(probe: &CollisionChecker, start: Pose, path: &[Arc]) -> 
 }
 
 /// The room at the goals that have the most, no more than at the start, largest first, each with the goal's number.
-pub(super) fn by_room(probe: &CollisionChecker, start: Pose, goals: &[Pose]) -> Vec<(f64, usize)> {
-    let at_start = probe.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
-    let rooms = goals.iter().map(|&goal| probe.clearance(goal, ENOUGH_CLEARANCE_AMONG_GOALS).min(at_start));
+pub(super) fn by_room(checker: &CollisionChecker, start: Pose, goals: &[Pose]) -> Vec<(f64, usize)> {
+    let at_start = checker.clearance(start, ENOUGH_CLEARANCE_AMONG_GOALS);
+    let rooms = goals.iter().map(|&goal| checker.clearance(goal, ENOUGH_CLEARANCE_AMONG_GOALS).min(at_start));
     let mut rooms: Vec<(f64, usize)> = rooms.zip(0..).collect();
     rooms.sort_by(|a, b| b.0.total_cmp(&a.0));
     rooms.truncate(MAX_GOALS_ONE_BY_ONE);

@@ -159,9 +159,10 @@ impl Obstacles {
             self.buckets(low, high, |b| {
                 let [x, y] = [b % self.columns, b / self.columns].map(|k| (k as f64 + 0.5) * self.bucket);
                 // Edges off the boundary are kept in the outermost buckets.
-                let rim = |k: usize, n: usize| k == 0 || k + 1 == n;
-                let rim = rim(b % self.columns, self.columns) || rim(b / self.columns, self.rows);
-                if rim || point_distance(Point::new(x, y), edge.a, edge.b) <= half_diagonal {
+                let is_last = |k: usize, n: usize| k == 0 || k + 1 == n;
+                let is_outer =
+                    is_last(b % self.columns, self.columns) || is_last(b / self.columns, self.rows);
+                if is_outer || point_distance(Point::new(x, y), edge.a, edge.b) <= half_diagonal {
                     pairs.push((b as u32, i as u32));
                 }
             });

@@ -73,9 +73,9 @@ impl Reach {
 
     /// True if the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
     #[inline(never)]
-    pub fn is_free(&mut self, probe: &CollisionChecker, arc: &Arc) -> bool {
+    pub fn is_free(&mut self, checker: &CollisionChecker, arc: &Arc) -> bool {
         #[cfg(feature = "complete")]
-        if !probe.corridor_holds(self.from, arc) {
+        if !checker.corridor_holds(self.from, arc) {
             return false;
         }
         let length = arc.length.abs();
@@ -83,7 +83,7 @@ impl Reach {
         let which = 2 * side + usize::from(arc.length < 0.0);
         let mut motion = self.motions[which];
         if length > motion.free && motion.blocked == 0.0 {
-            motion = self.follow(probe, arc, motion.free);
+            motion = self.follow(checker, arc, motion.free);
             self.motions[which] = motion;
         }
         if length <= motion.free || (motion.blocked != 0.0 && length >= motion.blocked) {
@@ -91,8 +91,8 @@ impl Reach {
         }
         let (sin, cos) = math::sin_cos(self.from.heading + arc.curvature * arc.length);
         let end = self.start.along(arc.curvature, arc.length, sin, cos);
-        probe.count(1);
-        probe.is_free_at(end, self.sampling.margin)
+        checker.count(1);
+        checker.is_free_at(end, self.sampling.margin)
     }
 
     /// True if the body is free along a word that leads from this pose to that of `back`, for turning radius `radius`.
@@ -101,20 +101,21 @@ impl Reach {
     pub fn is_word_free(
         &mut self,
         back: &mut Self,
-        probe: &CollisionChecker,
+        checker: &CollisionChecker,
         word: &Word,
         radius: f64,
     ) -> bool {
         let mut arcs = word.arcs(radius);
         let (Some(first), last) = (arcs.next(), arcs.next_back()) else { return true };
-        let is_last_free = last.is_none_or(|last| back.is_free(probe, &Arc { length: -last.length, ..last }));
-        if !is_last_free || !self.is_free(probe, &first) {
+        let is_last_free =
+            last.is_none_or(|last| back.is_free(checker, &Arc { length: -last.length, ..last }));
+        if !is_last_free || !self.is_free(checker, &first) {
             return false;
         }
         let Sampling { spacing, margin, .. } = self.sampling;
         let mut pose = self.from.advance(first.curvature, first.length);
         arcs.all(|arc| {
-            let free = probe.arc_free(pose, &arc, spacing, margin);
+            let free = checker.arc_free(pose, &arc, spacing, margin);
             pose = pose.advance(arc.curvature, arc.length);
             free
         })
@@ -122,10 +123,10 @@ impl Reach {
 
     /// Follows an arc that is free for some metres until its end or what blocks it.
     #[inline(never)]
-    fn follow(&self, probe: &CollisionChecker, arc: &Arc, mut free: f64) -> Motion {
+    fn follow(&self, checker: &CollisionChecker, arc: &Arc, mut free: f64) -> Motion {
         let Sampling { spacing, margin, turn } = self.sampling;
-        let radius = probe.disc_radius(margin);
-        let max_disc_speed = probe.max_disc_speed(arc.curvature);
+        let radius = checker.disc_radius(margin);
+        let max_disc_speed = checker.max_disc_speed(arc.curvature);
         let (sign, length) = (1.0_f64.copysign(arc.length), arc.length.abs());
         let turn_sin = turn.0 * sign.copysign(arc.curvature * arc.length);
         let at = |along: f64| math::sin_cos(self.from.heading + arc.curvature * along * sign);
@@ -139,9 +140,9 @@ impl Reach {
             }
             let place = self.start.along(arc.curvature, next * sign, sin, cos);
             checks += 1;
-            let spare = probe.room(place) - radius;
+            let spare = checker.room(place) - radius;
             if spare <= 0.0 {
-                if probe.exact(place, margin - CONTACT).is_some() {
+                if checker.exact(place, margin - CONTACT).is_some() {
                     blocked = next;
                     break;
                 }
@@ -153,7 +154,7 @@ impl Reach {
                 }
             }
         }
-        probe.count(checks);
+        checker.count(checks);
         Motion { free, blocked }
     }
 }

@@ -24,7 +24,7 @@ struct World {
     edges: Vec<Edge>,
 }
 
-/// A hall with short walls all over it, some of them across its rim or beyond.
+/// A hall with short walls all over it, some of them across its border or beyond.
 fn world(walls: u32) -> World {
     let wall = |k: u32| {
         let [x, y, dx, dy] = spread(k + 1);
@@ -36,9 +36,9 @@ fn world(walls: u32) -> World {
     let world = |p: Point| p + CORNER.coords;
     let walls: Vec<Edge> =
         edges.iter().map(|e| Edge { a: world(e.a), b: world(e.b), owner: e.owner }).collect();
-    let rim = [(0.0, 0.0), (WIDE, 0.0), (WIDE, HIGH), (0.0, HIGH)].map(|(x, y)| Point::new(x, y));
-    let boundary = Solid { outline: rim.map(world).to_vec(), owner: 9999 };
-    edges.extend((0..4).map(|i| Edge { a: rim[i], b: rim[(i + 1) % 4], owner: 9999 }));
+    let corners = [(0.0, 0.0), (WIDE, 0.0), (WIDE, HIGH), (0.0, HIGH)].map(|(x, y)| Point::new(x, y));
+    let boundary = Solid { outline: corners.map(world).to_vec(), owner: 9999 };
+    edges.extend((0..4).map(|i| Edge { a: corners[i], b: corners[(i + 1) % 4], owner: 9999 }));
     World { obstacles: Obstacles::new(&walls, &[], &boundary), edges }
 }
 
@@ -76,7 +76,7 @@ fn sides(car: &Vehicle, margin: f64) -> [f64; 4] {
     [car.rear_to_front + margin, -car.rear_to_back - margin, side, -side]
 }
 
-/// Places in the hall, at its rim and outside.
+/// Places in the hall, at its border and outside.
 fn pose(k: u32) -> Pose {
     let [x, y, turn, _] = spread(k);
     Pose::new(x * (WIDE + 8.0) - 4.0, y * (HIGH + 8.0) - 4.0, turn * std::f64::consts::TAU)
@@ -85,7 +85,7 @@ fn pose(k: u32) -> Pose {
 #[test]
 fn a_body_hits_what_is_in_its_box() {
     let (world, car) = (world(12), Vehicle::PAPER);
-    let probe = CollisionChecker::new(&world.obstacles, &car);
+    let checker = CollisionChecker::new(&world.obstacles, &car);
     let mut hits = 0;
     for k in 0..5000 {
         let (pose, margin) = (pose(k), f64::from(k % 3) * 0.2);
@@ -94,7 +94,7 @@ fn a_body_hits_what_is_in_its_box() {
             world.edges.iter().filter(meets).map(|e| e.owner).collect()
         };
         let (surely, perhaps) = (met(margin - 1.1e-6), met(margin - 0.9e-6));
-        match probe.hit(pose, margin) {
+        match checker.hit(pose, margin) {
             Some(owner) => assert!(perhaps.contains(&owner), "{pose:?}"),
             None => assert!(surely.is_empty(), "{pose:?}"),
         }
@@ -106,7 +106,7 @@ fn a_body_hits_what_is_in_its_box() {
 #[test]
 fn clearance_is_the_distance_to_the_nearest_edge() {
     let (world, car) = (world(12), Vehicle::SEDAN);
-    let probe = CollisionChecker::new(&world.obstacles, &car);
+    let checker = CollisionChecker::new(&world.obstacles, &car);
     let [front, back, left, right] = sides(&car, 0.0);
     let mut measured = 0;
     for k in 0..3000 {
@@ -118,13 +118,13 @@ fn clearance_is_the_distance_to_the_nearest_edge() {
             (x * x + y * y).sqrt()
         };
         let nearest = world.edges.iter().map(|e| least(e.a, e.b, away)).fold(limit, f64::min);
-        let told = probe.clearance(pose, limit);
+        let told = checker.clearance(pose, limit);
         assert!((told - nearest).abs() < 1e-5, "{pose:?}: {told} {nearest}");
         measured += u32::from(told > 0.0 && told < limit);
         // Room enough is what surely is free, and is seen where there is plenty.
-        assert!(!probe.clear_by(pose, 0.2) || told >= limit.min(0.2), "{pose:?}");
+        assert!(!checker.clear_by(pose, 0.2) || told >= limit.min(0.2), "{pose:?}");
         let within = world.obstacles.inside(pose.point()).is_none();
-        assert!(!within || told < 1.5 || probe.clear_by(pose, 0.2), "{pose:?}");
+        assert!(!within || told < 1.5 || checker.clear_by(pose, 0.2), "{pose:?}");
     }
     assert!(measured > 500, "{measured}");
 }
@@ -145,21 +145,21 @@ fn points_are_as_far_as_the_nearest_edge() {
 #[test]
 fn an_arc_is_free_until_a_sixteenth_of_a_spacing_before_a_hit() {
     let (world, spacing) = (world(8), 0.4);
-    let probe = CollisionChecker::new(&world.obstacles, &Vehicle::SEDAN);
+    let checker = CollisionChecker::new(&world.obstacles, &Vehicle::SEDAN);
     let (mut stopped, mut whole) = (0, 0);
     for k in 0..2000 {
         let (from, [.., bend, length]) = (pose(k), spread(k));
         let arc = Arc { curvature: [0.0, 0.36 * bend - 0.18][k as usize % 2], length: 12.0 * length - 6.0 };
         let at = |way: f64| from.advance(arc.curvature, way.copysign(arc.length));
-        if probe.hit(from, 0.1).is_some() {
+        if checker.hit(from, 0.1).is_some() {
             continue;
         }
-        let free = probe.free_length(from, &arc, spacing, 0.1);
-        assert!(free <= arc.length.abs() && probe.hit(at(free), 0.1).is_none(), "{from:?} {arc:?}");
+        let free = checker.free_length(from, &arc, spacing, 0.1);
+        assert!(free <= arc.length.abs() && checker.hit(at(free), 0.1).is_none(), "{from:?} {arc:?}");
         if free < arc.length.abs() {
             stopped += 1;
             let next = (free + spacing / 16.0).min(arc.length.abs());
-            assert!(probe.hit(at(next), 0.1).is_some(), "{from:?} {arc:?}: {free}");
+            assert!(checker.hit(at(next), 0.1).is_some(), "{from:?} {arc:?}: {free}");
         } else {
             whole += 1;
         }
@@ -170,20 +170,20 @@ fn an_arc_is_free_until_a_sixteenth_of_a_spacing_before_a_hit() {
 #[test]
 fn where_there_is_room_one_look_settles_an_arc() {
     let world = world(0);
-    let probe = CollisionChecker::new(&world.obstacles, &Vehicle::SEDAN);
+    let checker = CollisionChecker::new(&world.obstacles, &Vehicle::SEDAN);
     let from = Pose::new(12.0, 10.0, 0.0);
     let looks = |length: f64| {
-        let before = probe.checks();
-        let free = probe.arc_free(from, &Arc { curvature: 0.05, length }, 0.1, 0.1);
-        (free, probe.checks() - before)
+        let before = checker.checks();
+        let free = checker.arc_free(from, &Arc { curvature: 0.05, length }, 0.1, 0.1);
+        (free, checker.checks() - before)
     };
     assert_eq!(looks(1.5), (true, 1));
     // Long ones are looked at in the middle, too.
     assert_eq!(looks(5.0), (true, 2));
     assert_eq!(looks(40.0), (false, 12));
-    let before = probe.checks();
-    assert!((probe.free_length(from, &Arc { curvature: 0.0, length: 3.0 }, 0.5, 0.1) - 3.0).abs() < 1e-12);
-    assert_eq!(probe.checks() - before, 1);
+    let before = checker.checks();
+    assert!((checker.free_length(from, &Arc { curvature: 0.0, length: 3.0 }, 0.5, 0.1) - 3.0).abs() < 1e-12);
+    assert_eq!(checker.checks() - before, 1);
 }
 
 #[test]
@@ -244,8 +244,8 @@ fn inside_is_told_of_outlines_with_dents() {
     // A U, open above.
     let corners = [(2.0, 2.0), (14.0, 2.0), (14.0, 12.0), (10.0, 12.0), (10.0, 6.0), (6.0, 6.0), (4.0, 12.0)];
     let outline = corners.map(|(x, y)| Point::new(x, y)).to_vec();
-    let rim = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)].map(|(x, y)| Point::new(x, y));
-    let boundary = Solid { outline: rim.to_vec(), owner: 9 };
+    let corners = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)].map(|(x, y)| Point::new(x, y));
+    let boundary = Solid { outline: corners.to_vec(), owner: 9 };
     let obstacles = Obstacles::new(&[], &[Solid { outline, owner: 1 }], &boundary);
     for (x, y, owner) in [
         (3.0, 4.0, Some(1)),
@@ -269,10 +269,10 @@ fn inside_is_told_of_outlines_with_dents() {
 fn contact_is_free_along_the_way() {
     let hall = world(0).obstacles;
     let car = Vehicle::PAPER;
-    let probe = CollisionChecker::new(&hall, &car);
+    let checker = CollisionChecker::new(&hall, &car);
     let along = |y: f64, length: f64| {
         let (from, arc) = (Pose::new(5.0, y, 0.0), Arc { curvature: 0.0, length });
-        (probe.arc_free(from, &arc, 0.1, 0.0), probe.free_length(from, &arc, 0.1, 0.0))
+        (checker.arc_free(from, &arc, 0.1, 0.0), checker.free_length(from, &arc, 0.1, 0.0))
     };
     let side = car.width / 2.0;
     assert_eq!(along(side, 5.0), (true, 5.0));
@@ -284,14 +284,14 @@ fn contact_is_free_along_the_way() {
 
 #[test]
 fn a_wall_may_be_a_point() {
-    let rim = [(0.0, 0.0), (WIDE, 0.0), (WIDE, HIGH), (0.0, HIGH)].map(|(x, y)| Point::new(x, y));
+    let corners = [(0.0, 0.0), (WIDE, 0.0), (WIDE, HIGH), (0.0, HIGH)].map(|(x, y)| Point::new(x, y));
     let post = Point::new(10.0, 10.0);
-    let boundary = Solid { outline: rim.to_vec(), owner: 9 };
+    let boundary = Solid { outline: corners.to_vec(), owner: 9 };
     let hall = Obstacles::new(&[Edge { a: post, b: post, owner: 1 }], &[], &boundary);
     assert_eq!(hall.distance(Point::new(13.0, 14.0), 6.0), 5.0);
-    let probe = CollisionChecker::new(&hall, &Vehicle::PAPER);
-    assert_eq!(probe.hit(Pose::new(8.0, 10.0, 0.0), 0.0), Some(1));
-    assert!((probe.clearance(Pose::new(8.0, 12.0, 0.0), 3.0) - 0.7).abs() < 1e-12);
+    let checker = CollisionChecker::new(&hall, &Vehicle::PAPER);
+    assert_eq!(checker.hit(Pose::new(8.0, 10.0, 0.0), 0.0), Some(1));
+    assert!((checker.clearance(Pose::new(8.0, 12.0, 0.0), 3.0) - 0.7).abs() < 1e-12);
 }
 
 #[test]

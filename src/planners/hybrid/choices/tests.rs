@@ -47,18 +47,18 @@ fn room(seed: u64) -> Option<(Obstacles, [Pose; 2])> {
         boxes.push(rectangle(width * next(), height * next(), 0.3 + next(), 0.3 + next(), owner));
     }
     let obstacles = Obstacles::new(&[], &boxes, &rectangle(-0.5, -0.5, width + 1.0, height + 1.0, 0));
-    let probe = CollisionChecker::new(&obstacles, &CART);
+    let checker = CollisionChecker::new(&obstacles, &CART);
     let mut pose = || {
         Pose::new(width * next(), height * next(), core::f64::consts::TAU * next() - core::f64::consts::PI)
     };
     let ends = [pose(), pose()].map(|pose| obstacles.local(pose));
-    let is_free = |&pose: &Pose| probe.hit(pose, 0.0).is_none() && obstacles.inside(pose.point()).is_none();
+    let is_free = |&pose: &Pose| checker.hit(pose, 0.0).is_none() && obstacles.inside(pose.point()).is_none();
     ends.iter().all(is_free).then_some((obstacles, ends))
 }
 
 /// With `weight` 0 both searches expand in the same order, so that each cell has the same pose in both.
 fn lattice<'a>(
-    probe: &'a CollisionChecker<'a>,
+    checker: &'a CollisionChecker<'a>,
     flood: &'a ObstacleHeuristic,
     keys: &'a RefCell<StateIndex>,
     target: Pose,
@@ -78,7 +78,7 @@ fn lattice<'a>(
     let radius = CART.min_turning_radius();
     let costs = super::super::cost::CostModel::driven(&config, radius, [target, target]).searching(&level);
     let setting =
-        Setting { probe, flood, keys, costs, mirrored: false, watch: None, poses: None, roots: &[] };
+        Setting { checker, flood, keys, costs, mirrored: false, watch: None, poses: None, roots: &[] };
     StateLattice::new(setting, &CART, &config, level, target, 0.02)
 }
 
@@ -165,14 +165,14 @@ fn a_price_above_every_way_finds_the_fewest_changes() {
     let limits = Limits { max_expansions: 1_000_000, first: false };
     let (mut rooms, mut tally, mut alike, mut fewer) = (0, [0; 6], 0, 0);
     for (obstacles, [root, target]) in (0..).filter_map(room) {
-        let (probe, keys) = (CollisionChecker::new(&obstacles, &CART), RefCell::new(StateIndex::default()));
+        let (checker, keys) = (CollisionChecker::new(&obstacles, &CART), RefCell::new(StateIndex::default()));
         let flood = ObstacleHeuristic::new(&obstacles, &CART, target, 0.02, None);
         if flood.distance(root).is_infinite() {
             continue;
         }
-        let fewest = exhaustive(&mut lattice(&probe, &flood, &keys, target, 0.0, f64::INFINITY), root);
+        let fewest = exhaustive(&mut lattice(&checker, &flood, &keys, target, 0.0, f64::INFINITY), root);
         let searched = |weight: f64, bound: f64| {
-            let mut lattice = lattice(&probe, &flood, &keys, target, weight, bound);
+            let mut lattice = lattice(&checker, &flood, &keys, target, weight, bound);
             let begin = (lattice.node(root, 0), State { pose: root, ..State::default() });
             let found = best_first(&mut lattice, begin, limits, &mut search::Scratch::default(), &mut ());
             assert_ne!(found.end, End::BudgetSpent);

@@ -34,15 +34,15 @@ fn moves(gear: i8, room: f64, check: impl Fn(&StateLattice, &[(NodeId, f64, Stat
         [(0.0, 0.0), (40.0, 0.0), (40.0, 20.0), (0.0, 20.0)].map(|(x, y)| Point::new(x, y)).to_vec();
     let obstacles = Obstacles::new(&[wall(tail), wall(nose)], &[], &Solid { outline, owner: 0 });
     let [pose, target] = [(20.0, 10.0), (8.0, 10.0)].map(|(x, y)| obstacles.local(Pose::new(x, y, 0.0)));
-    let probe = CollisionChecker::new(&obstacles, car);
+    let checker = CollisionChecker::new(&obstacles, car);
     let flood = ObstacleHeuristic::new(&obstacles, car, target, 0.0, None);
     let keys = RefCell::default();
     let config = Config::default();
     let level = config.level(2).rocking(&config);
     let costs = CostModel::driven(&config, car.min_turning_radius(), [pose, target]).searching(&level);
-    let (probe, flood, keys) = (&probe, &flood, &keys);
+    let (checker, flood, keys) = (&checker, &flood, &keys);
     let setting =
-        Setting { probe, flood, keys, costs, mirrored: false, watch: None, poses: None, roots: &[] };
+        Setting { checker, flood, keys, costs, mirrored: false, watch: None, poses: None, roots: &[] };
     let lattice = StateLattice::new(setting, car, &config, level, target, 0.0);
     let from = State { pose, motion: Motion { gear, ..Motion::default() }, length: 0.0 };
     let mut moves = Moves(Vec::new());

@@ -227,7 +227,7 @@ impl Run<'_> {
         let least = self.floods.margins.len() - 1;
         let flood = self.floods.get(least, self.is_swapped);
         let search = if self.is_swapped { self.search.swapped(flood) } else { self.search };
-        let car = (search.probe, search.query.vehicle);
+        let car = (search.checker, search.query.vehicle);
         let keys = &mut work.scratch.keys.borrow_mut();
         let ends = [search.root, search.target];
         let nearest = holonomic::proven_apart(car, flood, ends, self.floods.least(), keys);
@@ -359,7 +359,7 @@ impl Run<'_> {
     #[cfg(feature = "complete")]
     fn guided<'a>(&'a self, search: Search<'a>, is_swapped: bool, level: &Level) -> Search<'a> {
         let poses = self.poses[usize::from(is_swapped)].get_or_init(|| {
-            let car = (search.probe, search.query.vehicle);
+            let car = (search.checker, search.query.vehicle);
             let to_root = self.floods.get(self.floods.count() - 1, !is_swapped);
             let prices = (self.floods.least(), search.costs().searching(level).change());
             PoseHeuristic::new(car, to_root, [search.root, search.target], prices)

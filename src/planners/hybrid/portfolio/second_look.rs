@@ -75,7 +75,7 @@ fn attempt(
         extra_change: MANY_CHANGES_COST,
         ..level
     };
-    let bound = search.costs().searching(&level).path(search.probe, search.start, &known.arcs);
+    let bound = search.costs().searching(&level).path(search.checker, search.start, &known.arcs);
     let is_better = search.level(Level { bound, ..level }, work)
         && changes(work.report) + saved <= changes(&known)
         && work.report.cost < known.cost;
