@@ -40,7 +40,8 @@ json::words!(SearchFrom: "goal" = Goal, "start" = Start, "both" = Both);
 /// How the way still to go is estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Heuristic {
-    /// The larger of the Reeds–Shepp length and the way around obstacles for a point.
+    /// The larger of the Reeds–Shepp length and the way around obstacles for a disc as wide as the car. Where that
+    /// finds no way out of open space, a coarse search of the car's poses.
     #[default]
     Max,
     /// The Reeds–Shepp length.

@@ -5,9 +5,9 @@
 //! order. The coarsest search with the least margin goes early, because it reaches more than any other of its level:
 //! where it ends without a path, it rules out many others at once (`outdoes`).
 
-#[cfg(feature = "complete")]
-use crate::planners::hybrid::config::REFINEMENTS;
 use crate::planners::hybrid::config::{Config, FIRST_SHUFFLING_LEVEL, Level};
+#[cfg(feature = "complete")]
+use crate::planners::hybrid::config::{Heuristic, REFINEMENTS};
 
 /// With less than this a car creeps, metres.
 pub(in crate::planners::hybrid) const COMFORTABLE_MARGIN: f64 = 0.03;
@@ -217,15 +217,20 @@ fn refined(levels: u32, widest: usize, margins: &[f64]) -> impl Iterator<Item = 
     margin.into_iter().flat_map(move |margin| (1..=REFINEMENTS).map(refined(margin)))
 }
 
-/// The members for open space, which the small module lacks. The first two search from either end, guided by a coarse
-/// search of the poses: among clutter that finds most ways in a hundredth of the work. The next goes from the other end
-/// without a guide, and where `is_unproven` the coarsest search with the least margin goes on from where its budget
-/// ended, greedily. The others rock with the least margin: on two lattices from the hard end, and from both ends.
+/// The members for open space, which the small module lacks. Unless another estimate is asked for, the first two search
+/// from either end, guided by a coarse search of the poses: among clutter that finds most ways in a hundredth of the
+/// work. The next goes from the other end without a guide. Where `is_unproven`, the coarsest search with the least
+/// margin then goes on from where its budget ended, greedily. The others rock with the least margin: on two lattices
+/// from the hard end, and from both ends.
 #[cfg(feature = "complete")]
-pub(super) fn in_open_space(levels: u32, least: usize, may_swap: bool, is_unproven: bool) -> Vec<Member> {
+pub(super) fn in_open_space(config: &Config, least: usize, may_swap: bool, is_unproven: bool) -> Vec<Member> {
+    let levels = config.levels();
     let guided = Member { is_guided: true, ..plain(1, least) };
     let far = Member { from: From::Far, ..plain(1, least) };
     let mut members = vec![guided, Member { is_guided: true, ..far }, far];
+    if config.heuristic != Heuristic::Max {
+        members.retain(|one| !one.is_guided);
+    }
     if is_unproven {
         members.push(Member { is_greedy: true, ..plain(1, least) });
     }

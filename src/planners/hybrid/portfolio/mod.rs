@@ -218,7 +218,7 @@ impl Run<'_> {
     #[cfg(feature = "complete")]
     fn in_open_space(&self) -> Vec<Member> {
         let least = self.floods.margins.len() - 1;
-        in_open_space(self.search.config.levels(), least, self.may_swap, self.proof.is_none())
+        in_open_space(self.search.config, least, self.may_swap, self.proof.is_none())
     }
 
     /// True if the body could not get there either if it moved in any direction; else more work is worth its while.
