@@ -168,76 +168,74 @@ test("each tool draws by keys", async ({ page }) => {
   });
 });
 
-test(
-  "painted cells cost what is painted, in every planner's answer; erased, undone and by a link they are as they " +
-    "were",
-  async ({ page }) => {
-    const complaints = complaintsOf(page);
-    await openLot(page, { start: { x: 6, y: 15.25, heading: 0 }, goal: { x: 34, y: 15.25, heading: 0 } });
-    const plans = (): Promise<{ outcome: string; length: number; weighted: number | undefined }[]> =>
-      page.evaluate(() => {
-        const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!;
-        return Object.values(results).map((plan) => ({
-          outcome: plan!.outcome,
-          length: plan!.metrics.length,
-          weighted: plan!.metrics.weightedLength,
-        }));
-      });
-    for (const { length } of await plans()) expect(length).toBeCloseTo(28, 1);
-    await page.keyboard.press("k");
-    for (let n = 0; n < 5; n++) await page.keyboard.press("}");
-    await drag(page, [
-      [20, 13],
-      [20, 20],
-    ]);
-    await settled(page);
-    const painted = await sceneOf(page);
-    expect(painted.costs!.map(({ weight }) => weight)).toEqual([10]);
-    for (const { outcome, length, weighted } of await plans()) {
-      expect(outcome).toBe("found");
-      expect(length).toBeGreaterThan(28.2);
-      expect(weighted).toBeLessThan(28 + 9);
-    }
-    await expect(page.locator("parkade-objects li", { hasText: "Painted cost ×10" })).toHaveCount(1);
+test("painted cells cost what is painted, for every planner; erased, undone and by a link they are as before", async ({
+  page,
+}) => {
+  const complaints = complaintsOf(page);
+  await openLot(page, { start: { x: 6, y: 15.25, heading: 0 }, goal: { x: 34, y: 15.25, heading: 0 } });
+  const plans = (): Promise<{ outcome: string; length: number; weighted: number | undefined }[]> =>
+    page.evaluate(() => {
+      const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!;
+      return Object.values(results).map((plan) => ({
+        outcome: plan!.outcome,
+        length: plan!.metrics.length,
+        weighted: plan!.metrics.weightedLength,
+      }));
+    });
+  for (const { length } of await plans()) expect(length).toBeCloseTo(28, 1);
+  await page.keyboard.press("k");
+  for (let n = 0; n < 5; n++) await page.keyboard.press("}");
+  await drag(page, [
+    [20, 13],
+    [20, 20],
+  ]);
+  await settled(page);
+  const painted = await sceneOf(page);
+  expect(painted.costs!.map(({ weight }) => weight)).toEqual([10]);
+  for (const { outcome, length, weighted } of await plans()) {
+    expect(outcome).toBe("found");
+    expect(length).toBeGreaterThan(28.2);
+    expect(weighted).toBeLessThan(28 + 9);
+  }
+  await expect(page.locator("parkade-objects li", { hasText: "Painted cost ×10" })).toHaveCount(1);
 
-    // The eraser and a weight of 1 take paint away.
-    await page.keyboard.press("e");
-    await drag(page, [
-      [20, 12],
-      [20, 14],
-    ]);
-    await page.keyboard.press("k");
-    for (let n = 0; n < 9; n++) await page.keyboard.press("{");
-    await drag(page, [
-      [20, 16],
-      [20, 21],
-    ]);
-    await settled(page);
-    const left = (scene: Scenario): number =>
-      (scene.costs ?? []).reduce((sum, { runs }) => sum + runs.reduce((all, run) => all + run[2], 0), 0);
-    expect(left(await sceneOf(page))).toBeLessThan(left(painted));
-    await page.keyboard.press("Control+z");
-    await page.keyboard.press("Control+z");
-    expect(await sceneOf(page)).toEqual(painted);
+  // The eraser and a weight of 1 take paint away.
+  await page.keyboard.press("e");
+  await drag(page, [
+    [20, 12],
+    [20, 14],
+  ]);
+  await page.keyboard.press("k");
+  for (let n = 0; n < 9; n++) await page.keyboard.press("{");
+  await drag(page, [
+    [20, 16],
+    [20, 21],
+  ]);
+  await settled(page);
+  const left = (scene: Scenario): number =>
+    (scene.costs ?? []).reduce((sum, { runs }) => sum + runs.reduce((all, run) => all + run[2], 0), 0);
+  expect(left(await sceneOf(page))).toBeLessThan(left(painted));
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  expect(await sceneOf(page)).toEqual(painted);
 
-    const link = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL());
-    await page.goto("about:blank");
-    await page.goto(link!);
-    await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
-    expect((await sceneOf(page)).costs).toEqual(painted.costs);
+  const link = await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.shareURL());
+  await page.goto("about:blank");
+  await page.goto(link!);
+  await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
+  expect((await sceneOf(page)).costs).toEqual(painted.costs);
 
-    // A planner for which all cells cost the same says so; the others go on.
-    await page.evaluate(() =>
-      document
-        .querySelector<PlaygroundElement>("parkade-playground")!
-        .store.set({ planners: ["eight", "jump-point"], focus: "jump-point", mode: "grid" }),
-    );
-    await expect(page.locator("parkade-panel", { hasText: "cannot plan this scene" })).toContainText(
-      "all free cells cost the same",
-    );
-    expect(complaints).toEqual([]);
-  },
-);
+  // A planner for which all cells cost the same says so; the others go on.
+  await page.evaluate(() =>
+    document
+      .querySelector<PlaygroundElement>("parkade-playground")!
+      .store.set({ planners: ["eight", "jump-point"], focus: "jump-point", mode: "grid" }),
+  );
+  await expect(page.locator("parkade-panel", { hasText: "cannot plan this scene" })).toContainText(
+    "all free cells cost the same",
+  );
+  expect(complaints).toEqual([]);
+});
 
 test("a stroke at 3000 px/s leaves no holes", async ({ page }) => {
   await openLot(page);
