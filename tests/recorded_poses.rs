@@ -38,7 +38,7 @@ fn random_scene(random: &mut SplitMix64, has_wall: bool) -> Scenario {
 fn settings(from: &str) -> Map<String, Value> {
     let all = json!({
         "searchFrom": from, "profile": "shortest", "heuristic": "reeds-shepp", "heuristicWeight": 1,
-        "directionChangeCost": CHANGE, "reverseCost": REVERSE, "maxExpansions": 600,
+        "directionChangeCost": CHANGE, "reverseCost": REVERSE, "maxExpansions": 600, "ladder": false,
     });
     all.as_object().unwrap().clone()
 }

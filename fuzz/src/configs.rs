@@ -7,7 +7,7 @@ use parkade::scenario::Scenario;
 use serde_json::{Map, Value, json};
 
 use crate::Outcome;
-use crate::field::Field;
+use crate::grid_model::GridModel;
 use crate::random::Random;
 use crate::random_scenes;
 use crate::trajectories;
@@ -24,7 +24,7 @@ pub(crate) struct Question {
 pub(crate) fn question(r: &mut Random, seed: u64) -> Question {
     let planners = all();
     let planner = r.pick(&planners);
-    let scene = if r.one_in(3) { Field::random(r).scene() } else { random_scenes::scene(seed).0 };
+    let scene = if r.one_in(3) { GridModel::random(r).scene() } else { random_scenes::scene(seed).0 };
     let mut settings = Map::new();
     let mut good = true;
     for parameter in &planner.parameters {

@@ -5,7 +5,7 @@
 //! runs them by the million; the test suite runs the first seeds of each.
 
 mod configs;
-mod field;
+mod grid_model;
 mod mutate;
 mod oracles;
 mod parsers;

@@ -4,7 +4,7 @@ use parkade::plan::{Found, Options, Outcome as Answer, Planner};
 use serde_json::{Map, Value, json};
 
 use crate::Outcome;
-use crate::field::{Cell, Field, moves, price};
+use crate::grid_model::{Cell, GridModel, moves, price};
 use crate::random::Random;
 
 /// A neighbourhood's planner, its name as a setting, and its moves.
@@ -21,7 +21,7 @@ const MIDDLE: f64 = 1.75;
 
 pub(crate) fn grid(seed: u64) -> Outcome {
     let r = &mut Random::new(seed);
-    let field = Field::random(r);
+    let field = GridModel::random(r);
     let &(id, reach, knights) = r.pick(&NEIGHBOURHOODS);
     let legal = moves(reach, knights);
     let cheapest = field.dijkstra(&legal);
@@ -62,7 +62,7 @@ pub(crate) fn grid(seed: u64) -> Outcome {
 
 /// A planner that promises the cheapest path.
 fn optimal(
-    field: &Field,
+    field: &GridModel,
     id: &str,
     settings: &Value,
     legal: &[Cell],
@@ -79,8 +79,8 @@ fn optimal(
 }
 
 /// The same question on a map that is reversed, moved, turned or filled further.
-fn changed(r: &mut Random, field: &Field, id: &str, cost: Option<i64>) -> Result<(), String> {
-    let costs = |field: &Field| {
+fn changed(r: &mut Random, field: &GridModel, id: &str, cost: Option<i64>) -> Result<(), String> {
+    let costs = |field: &GridModel| {
         search(field, id, &json!({}))
             .map(|found| (found.outcome == Answer::Found).then_some(found.cost_micro))
     };
@@ -107,7 +107,7 @@ fn changed(r: &mut Random, field: &Field, id: &str, cost: Option<i64>) -> Result
 }
 
 /// The planners that promise no cheapest path.
-fn other(r: &mut Random, field: &Field) -> Outcome {
+fn other(r: &mut Random, field: &GridModel) -> Outcome {
     let id = *r.pick(&["any-angle", "risk-field", "risk-field-plus", "cost-map"]);
     let mut planner = Planner::new(id, &field.scene(), &Map::new()).map_err(|e| e.to_string())?;
     let plan = planner.plan(Options::default());
@@ -138,7 +138,7 @@ fn other(r: &mut Random, field: &Field) -> Outcome {
     Ok(plan.outcome.as_str())
 }
 
-fn search(field: &Field, id: &str, settings: &Value) -> Result<Found, String> {
+fn search(field: &GridModel, id: &str, settings: &Value) -> Result<Found, String> {
     let settings = settings.as_object().cloned().unwrap_or_default();
     let scene = field.scene();
     let mut planner = Planner::new(id, &scene, &settings).map_err(|e| e.to_string())?;
@@ -147,7 +147,7 @@ fn search(field: &Field, id: &str, settings: &Value) -> Result<Found, String> {
 }
 
 /// Walks a path again: from start to goal, every step a legal one, and as dear as it says.
-fn walked(field: &Field, found: &Found, legal: Option<&[Cell]>) -> Result<(), String> {
+fn walked(field: &GridModel, found: &Found, legal: Option<&[Cell]>) -> Result<(), String> {
     if found.outcome != Answer::Found {
         return if found.path.is_empty() { Ok(()) } else { Err(format!("a path with {:?}", found.outcome)) };
     }

@@ -5,12 +5,12 @@ use parkade::planners::registry::{Family, planners};
 use serde_json::Map;
 
 use crate::Outcome;
-use crate::field::Field;
+use crate::grid_model::GridModel;
 use crate::random::Random;
 
 pub(crate) fn edits(seed: u64) -> Outcome {
     let r = &mut Random::new(seed);
-    let field = Field::random(r);
+    let field = GridModel::random(r);
     let all = planners();
     let id = loop {
         let info = r.pick(&all);

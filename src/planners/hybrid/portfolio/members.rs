@@ -140,8 +140,9 @@ impl Member {
     /// True if a search that this one has ended without a way leaves no hope for `other`: coarser ones reach no more,
     /// nor do any with more margin, nor do those that do not rock where this one does.
     pub(super) fn outdoes(self, other: Self) -> bool {
+        // In another order other poses stand for the cells: a guided search proves nothing for those without a guide.
         #[cfg(feature = "complete")]
-        if other.refinement > self.refinement {
+        if other.refinement > self.refinement || (self.is_guided && !other.is_guided) {
             return false;
         }
         other.from == self.from

@@ -11,7 +11,7 @@ use crate::random::Random;
 pub(crate) type Cell = (i32, i32);
 
 #[derive(Clone)]
-pub(crate) struct Field {
+pub(crate) struct GridModel {
     pub(crate) width: i32,
     pub(crate) height: i32,
     blocked: Vec<bool>,
@@ -21,7 +21,7 @@ pub(crate) struct Field {
     resolution: f64,
 }
 
-impl Field {
+impl GridModel {
     pub(crate) fn random(r: &mut Random) -> Self {
         let (width, height) = (2 + r.below(22) as i32, 2 + r.below(22) as i32);
         let density = r.between(0.0, 0.5);
