@@ -75,7 +75,7 @@ impl GridPlanner for Search {
 /// let map = Occupancy::parse("....\n.##.\n....");
 /// let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(3, 2) };
 /// let report = dijkstra(query, &Config::default(), &mut GridScratch::new(), &mut ());
-/// assert_eq!((report.cost_micro, report.expanded), (5_000_000, 10));
+/// assert_eq!((report.cost_micro, report.stats.expanded), (5_000_000, 10));
 /// ```
 pub fn dijkstra<O: Observer<i64, ()>>(
     query: Query,
@@ -116,7 +116,7 @@ pub fn dijkstra<O: Observer<i64, ()>>(
 /// let map = Occupancy::new(9, 9);
 /// let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(8, 8) };
 /// let report = greedy(query, &Config::default(), &mut GridScratch::new(), &mut ());
-/// assert_eq!((report.cost_micro, report.expanded), (8 * 1_414_214, 9));
+/// assert_eq!((report.cost_micro, report.stats.expanded), (8 * 1_414_214, 9));
 /// ```
 pub fn greedy<O: Observer<i64, ()>>(
     query: Query,
