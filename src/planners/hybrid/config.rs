@@ -268,14 +268,20 @@ impl Level {
     /// The same where the car may rock. Gear changes cost little, or else everything would be tried before; and
     /// there are hardly any connections, as a way out of every slot is known and the way to the target is not.
     pub(super) fn rocking(self, config: &Config) -> Self {
-        let level = self.with_cheap_changes(config);
+        let level = self.with_change(CHEAP_CHANGE_COST, config);
         Self { connect_every: ROCKING_CONNECT_EVERY, rock: ROCK_BINS * self.yaw, ..level }
     }
 
-    /// The same where gear changes cost little.
-    pub(super) fn with_cheap_changes(self, config: &Config) -> Self {
+    /// The same where a gear change costs this at most, metres.
+    pub(super) fn with_change(self, most: f64, config: &Config) -> Self {
         let change = config.with_profile().direction_change_cost;
-        Self { extra_change: change.min(CHEAP_CHANGE_COST) - change, ..self }
+        Self { extra_change: change.min(most) - change, ..self }
+    }
+
+    /// The same with this weight and so many expansions, unless the settings say others.
+    pub(super) fn within(self, (weight, expansions): (f64, u32), config: &Config) -> Self {
+        let weight = config.heuristic_weight.unwrap_or(weight);
+        Self { weight, max_expansions: config.max_expansions.unwrap_or(expansions), ..self }
     }
 
     /// One of the finer lattices, from 1 on.
@@ -306,7 +312,7 @@ pub(super) const REFINEMENTS: usize = 4;
 const REFINED_WEIGHT: f64 = 1.3;
 /// Cost of a gear change where the car may rock or the tree grows from the other end, metres.
 #[cfg(feature = "complete")]
-const CHEAP_CHANGE_COST: f64 = 0.2;
+pub(super) const CHEAP_CHANGE_COST: f64 = 0.2;
 /// Turn of a rock, in heading bins: it leaves the bin.
 #[cfg(feature = "complete")]
 const ROCK_BINS: f64 = 2.0;

@@ -18,6 +18,8 @@
 mod floods;
 mod members;
 #[cfg(feature = "complete")]
+mod open_space;
+#[cfg(feature = "complete")]
 mod second_look;
 
 #[cfg(feature = "complete")]
@@ -27,31 +29,40 @@ pub(super) use floods::Floods;
 pub(super) use members::COMFORTABLE_MARGIN;
 
 use super::config::{Level, SearchFrom};
-#[cfg(feature = "complete")]
-use super::holonomic;
 use super::level::First;
 #[cfg(feature = "complete")]
 use super::pose_heuristic::PoseHeuristic;
 use super::question::{Search, Work};
 use super::report::{Report, Status};
-#[cfg(feature = "complete")]
-use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::search::Progress;
+#[cfg(feature = "complete")]
+use members::Style;
 use members::{FIRST_SLICE, From, MANY_CHANGES, Member, arrange, members};
 #[cfg(feature = "complete")]
-use members::{in_open_space, rocking};
+use open_space::Hope;
 
-/// Expansions of all members together, where the settings say nothing.
+/// Expansions of all members together, where the settings say nothing, …
 const TOTAL_EXPANSIONS: u32 = 150_000;
+/// … and where a search with the least margin has not come out of a slot: only the finest will.
+const SLOT_EXPANSIONS: u32 = 220_000;
 /// Expansions for more margin once there is a path, besides as many as it took.
 const MORE_MARGIN_EXPANSIONS: u32 = 200_000;
 /// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are
 /// many gear changes, or no way.
 const WIDE_SEARCH_POSES: u32 = 1000;
-/// Expansions of all members together where those for open space are asked.
-#[cfg(feature = "complete")]
-const OPEN_TOTAL_EXPANSIONS: u32 = 360_000;
+/// Which members take turns.
+#[derive(Clone, Copy, PartialEq)]
+enum Stage {
+    /// Those of the levels.
+    Levels,
+    /// The first for open space: a search with the least margin came out of any slot and found no way, or all that may
+    /// be spent was spent.
+    OpenSpace { in_vain: bool },
+    /// The last for open space: one of the first has spent its work in vain.
+    #[cfg(feature = "complete")]
+    Last,
+}
 
 /// How a turn ended.
 enum Turn {
@@ -87,7 +98,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         widest,
         effort: TOTAL_EXPANSIONS,
         best: None,
-        is_in_open_space: false,
+        stage: Stage::Levels,
         doubt: None,
         #[cfg(feature = "complete")]
         hope: Hope::Unasked,
@@ -104,15 +115,6 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     run.conclude(work.report);
     #[cfg(feature = "complete")]
     second_look::look_again(search, floods, work);
-}
-
-/// True if the body could get to the other end if it moved in any direction.
-#[cfg(feature = "complete")]
-enum Hope {
-    Unasked,
-    Some,
-    /// It could not; the pose nearest to the other end that it may reach.
-    None(Pose),
 }
 
 /// The state of a portfolio while its members take turns.
@@ -132,9 +134,8 @@ struct Run<'a> {
     effort: u32,
     /// The path with the largest margin so far.
     best: Option<Report>,
-    /// True once only the members for open space are asked: a search with the least margin came out of any slot and
-    /// found no way, or all that may be spent was spent.
-    is_in_open_space: bool,
+    /// Whose turns these are.
+    stage: Stage,
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
     /// True if the body could get there if it moved in any direction.
@@ -164,16 +165,20 @@ impl Run<'_> {
                 }
                 if before >= self.effort {
                     #[cfg(feature = "complete")]
-                    if self.may_turn_to_open_space(work) {
+                    if self.next_stage(work) {
                         at = 0;
                         continue;
                     }
                     return;
                 }
                 let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
-                let slice = if self.is_in_open_space { u32::MAX } else { FIRST_SLICE.saturating_mul(growth) };
+                let slice =
+                    if self.stage == Stage::Levels { FIRST_SLICE.saturating_mul(growth) } else { u32::MAX };
                 let turn = self.turn(member, slice.min(self.effort - before), work);
                 let expanded = work.report.stats.expanded - before;
+                if let (Stage::OpenSpace { in_vain }, Turn::Spent | Turn::Lost) = (&mut self.stage, &turn) {
+                    *in_vain = true;
+                }
                 at = match turn {
                     Turn::Spent if self.may_ask_proof(member) => {
                         self.members.swap(0, 1);
@@ -188,12 +193,15 @@ impl Run<'_> {
                     Turn::Found => self.found(at, work.report),
                 };
                 #[cfg(feature = "complete")]
-                if self.is_in_open_space && matches!(self.hope, Hope::Unasked) {
-                    if self.is_hopeless(work) {
-                        return;
-                    }
-                    self.effort = OPEN_TOTAL_EXPANSIONS;
+                if matches!((self.stage, &self.hope), (Stage::OpenSpace { .. }, Hope::Unasked))
+                    && self.is_hopeless(work)
+                {
+                    return;
                 }
+            }
+            #[cfg(feature = "complete")]
+            if self.members.is_empty() && self.next_stage(work) {
+                continue;
             }
             if self.members.is_empty() {
                 return;
@@ -201,38 +209,17 @@ impl Run<'_> {
         }
     }
 
-    /// True if all that may be spent was spent in vain, and the members for open space may find a way; these are then
-    /// the next.
-    #[cfg(feature = "complete")]
-    fn may_turn_to_open_space(&mut self, work: &Work) -> bool {
-        if self.is_in_open_space || self.best.is_some() {
-            return false;
-        }
-        self.is_in_open_space = true;
-        self.members = self.in_open_space();
-        self.effort = OPEN_TOTAL_EXPANSIONS;
-        !self.members.is_empty() && !self.is_hopeless(work)
+    /// From now on only the first members for open space are asked, which the small module lacks.
+    fn enter_open_space(&mut self) {
+        self.stage = Stage::OpenSpace { in_vain: false };
+        self.members.clear();
+        #[cfg(feature = "complete")]
+        self.first_in_open_space();
     }
 
-    /// The members that are asked when a search has left every slot and found no way.
-    #[cfg(feature = "complete")]
-    fn in_open_space(&self) -> Vec<Member> {
-        let least = self.floods.margins.len() - 1;
-        in_open_space(self.search.config, least, self.may_swap, self.proof.is_none())
-    }
-
-    /// True if the body could not get there either if it moved in any direction; else more work is worth its while.
-    #[cfg(feature = "complete")]
-    fn is_hopeless(&mut self, work: &Work) -> bool {
-        let least = self.floods.margins.len() - 1;
-        let flood = self.floods.get(least, self.is_swapped);
-        let search = if self.is_swapped { self.search.swapped(flood) } else { self.search };
-        let car = (search.checker, search.query.vehicle);
-        let keys = &mut work.scratch.keys.borrow_mut();
-        let ends = [search.root, search.target];
-        let nearest = holonomic::proven_apart(car, flood, ends, self.floods.least(), keys);
-        self.hope = nearest.map_or(Hope::Some, Hope::None);
-        nearest.is_some()
+    /// The index of the least margin.
+    fn least(&self) -> usize {
+        self.floods.margins.len() - 1
     }
 
     /// True if the proof is to be sought before a search with more margin goes on: it may find a way sooner, too.
@@ -245,7 +232,7 @@ impl Run<'_> {
 
     /// True if a member has the least of the margins: what it cannot reach, no member of its level can.
     fn is_least(&self, member: Member) -> bool {
-        member.margin + 1 == self.floods.margins.len()
+        member.margin == self.least()
     }
 
     /// A member has searched all that it can reach. Coarser ones would reach no more, nor would any with more margin.
@@ -257,21 +244,19 @@ impl Run<'_> {
         if is_proof && member.from == From::Hard {
             self.proof = Some(report.clone());
         }
+        if is_proof && self.effort == TOTAL_EXPANSIONS {
+            self.effort = SLOT_EXPANSIONS;
+        }
         let next = self.drop(at, |one| member.outdoes(one));
         if !is_proof
-            || self.is_in_open_space
+            || self.stage != Stage::Levels
             || self.best.is_some()
             || expanded <= WIDE_SEARCH_POSES * member.level
         {
             return next;
         }
-        self.is_in_open_space = true;
-        self.members.clear();
-        #[cfg(feature = "complete")]
-        {
-            self.members = self.in_open_space();
-            self.members.retain(|&one| !member.outdoes(one));
-        }
+        self.enter_open_space();
+        self.members.retain(|&one| !member.outdoes(one));
         0
     }
 
@@ -284,14 +269,10 @@ impl Run<'_> {
         let more = if is_comfortable { FIRST_SLICE } else { MORE_MARGIN_EXPANSIONS };
         self.effort = self.effort.min(report.stats.expanded.saturating_add(report.stats.expanded.max(more)));
         #[cfg(feature = "complete")]
-        if self.is_in_open_space {
-            if member.is_guided {
-                self.members.extend((self.widest..member.margin).map(|margin| Member { margin, ..member }));
-            } else {
-                self.members.extend(rocking(self.widest..member.margin));
-            }
+        if self.stage != Stage::Levels {
+            self.members.extend(open_space::with_more_margin(member, self.widest..member.margin));
         }
-        self.is_in_open_space = false;
+        self.stage = Stage::Levels;
         self.offer(report);
         self.drop(at, |one| {
             let is_better = one.margin < member.margin
@@ -342,7 +323,8 @@ impl Run<'_> {
         }
         let level = member.level(search.config, self.is_least(member));
         #[cfg(feature = "complete")]
-        let search = if member.is_guided { self.guided(search, is_swapped, &level) } else { search };
+        let search =
+            if member.style == Style::Guided { self.guided(search, is_swapped, &level) } else { search };
         let is_last = slice >= level.max_expansions;
         if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
             return Turn::Found;
@@ -352,19 +334,6 @@ impl Run<'_> {
             Status::BudgetExhausted(_) if !is_last => Turn::Spent,
             _ => Turn::Lost,
         }
-    }
-
-    /// The same search, guided by the costs from poses to its target. These are made with the least margin, once for
-    /// each end: a little more margin hardly changes where the car must turn.
-    #[cfg(feature = "complete")]
-    fn guided<'a>(&'a self, search: Search<'a>, is_swapped: bool, level: &Level) -> Search<'a> {
-        let poses = self.poses[usize::from(is_swapped)].get_or_init(|| {
-            let car = (search.checker, search.query.vehicle);
-            let to_root = self.floods.get(self.floods.count() - 1, !is_swapped);
-            let prices = (self.floods.least(), search.costs().searching(level).change());
-            PoseHeuristic::new(car, to_root, [search.root, search.target], prices)
-        });
-        Search { poses: Some(poses), ..search }
     }
 
     /// Says what came of it; the counters are those of all members.

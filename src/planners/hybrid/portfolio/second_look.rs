@@ -6,7 +6,8 @@
 //! cheaper by that price than the known path is left out, so that the search soon ends where there is nothing to gain.
 //!
 //! Margin costs gear changes, too: with 10 cm a car may rock ten times where 3 cm let it in with four. So a path with
-//! many changes gives up margin, down to what is comfortable, where that saves several of them.
+//! many changes gives up margin, down to what is comfortable, where that saves several of them. One that keeps no more
+//! than that is held against the same searches: what one lattice misses the next one finds.
 
 use super::Floods;
 use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, MANY_CHANGES};
@@ -22,10 +23,16 @@ const WEIGHT: f64 = 2.0;
 const EXPANSIONS: [u32; 2] = [FIRST_SLICE, 50_000];
 /// The level that is refined for it, and which of the refined lattices it takes: the one with the smallest cells.
 const LEVEL: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
+/// The searches with the margin that is comfortable: the level, how much finer its lattice is (0: not at all), and
+/// the expansions.
+const COMFORTABLE: [(u32, usize, u32); 6] =
+    [(0, 0, 5000), (1, 0, 20_000), (2, 0, 20_000), (3, 0, 20_000), (4, 0, 5000), (4, 1, 5000)];
 /// Less margin must save one of so many gear changes.
 const SAVED_SHARE: u32 = 3;
-/// Expansions of each level's search with less margin, coarse levels first.
-const TRADE_EXPANSIONS: [u32; 3] = [5000, 20_000, 20_000];
+/// On a coarse lattice a path may cost so many times what is left of it after the shortcut.
+const BEFORE_SHORTCUT: f64 = 1.6;
+/// Lattices with larger cells are coarse, metres.
+const COARSE: f64 = 0.06;
 
 /// Replaces the path in `work`, where it changes gear often, by one with fewer changes: by a cheaper one with the same
 /// margin, or by one with less.
@@ -41,17 +48,24 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     let Some(margin) = floods.margins.iter().position(|&margin| margin == work.report.margin) else { return };
     attempt((search, floods), (level, number, most), margin, 1, work);
     let comfortable = floods.margins.iter().position(|&margin| margin == COMFORTABLE_MARGIN);
-    let Some(comfortable) = comfortable.filter(|&comfortable| comfortable > margin) else { return };
-    for (number, most) in (0..).zip(TRADE_EXPANSIONS) {
-        if changes(work.report) > MANY_CHANGES && work.report.margin != COMFORTABLE_MARGIN {
-            let saved = changes(work.report).div_ceil(SAVED_SHARE);
-            attempt((search, floods), (config.level(number), number, most), comfortable, saved, work);
+    let Some(comfortable) = comfortable.filter(|&comfortable| comfortable >= margin) else { return };
+    for (number, refinement, most) in COMFORTABLE {
+        if changes(work.report) <= MANY_CHANGES {
+            return;
         }
+        let level = config.level(number);
+        let level = if refinement > 0 { level.refined(refinement, config) } else { level };
+        attempt((search, floods), (level, number, most), comfortable, worth(work.report), work);
     }
 }
 
 fn changes(report: &Report) -> u32 {
     arcs::direction_changes(&report.arcs)
+}
+
+/// How many gear changes a path with the comfortable margin must save.
+fn worth(report: &Report) -> u32 {
+    if report.margin > COMFORTABLE_MARGIN { changes(report).div_ceil(SAVED_SHARE) } else { 1 }
 }
 
 /// Takes the path of one more search, if it costs less and saves so many gear changes.
@@ -75,7 +89,8 @@ fn attempt(
         extra_change: MANY_CHANGES_COST,
         ..level
     };
-    let bound = search.costs().searching(&level).path(search.checker, search.start, &known.arcs);
+    let slack = if level.xy > COARSE { BEFORE_SHORTCUT } else { 1.0 };
+    let bound = slack * search.costs().searching(&level).path(search.checker, search.start, &known.arcs);
     let is_better = search.level(Level { bound, ..level }, work)
         && changes(work.report) + saved <= changes(&known)
         && work.report.cost < known.cost;
