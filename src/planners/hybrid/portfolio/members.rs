@@ -6,8 +6,6 @@
 //! where it ends without a path, it rules out many others at once (`outdoes`).
 
 #[cfg(feature = "complete")]
-use super::open_space::FINE_ROCKING_LEVEL;
-#[cfg(feature = "complete")]
 use crate::planners::hybrid::config::{CHEAP_CHANGE_COST, REFINEMENTS};
 use crate::planners::hybrid::config::{Config, FIRST_SHUFFLING_LEVEL, Level};
 
@@ -20,6 +18,9 @@ pub(super) const MANY_CHANGES: u32 = 4;
 
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const LAST_CHEAP_LEVEL: u32 = 3;
+/// The finer of the levels that rock.
+#[cfg(feature = "complete")]
+pub(super) const FINE_ROCKING_LEVEL: u32 = 3;
 /// The level that is refined.
 #[cfg(feature = "complete")]
 const FINEST_PLAIN_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;

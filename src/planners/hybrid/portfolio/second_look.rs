@@ -9,7 +9,7 @@
 //! many changes gives up margin, down to what is comfortable, where that saves several of them. One that keeps no more
 //! than that is held against the same searches: what one lattice misses the next one finds.
 
-use super::Floods;
+use super::floods::Floods;
 use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, MANY_CHANGES};
 use crate::geometry::arcs;
 use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, Level};

@@ -1,0 +1,393 @@
+//! The members' turns: who searches next, how much, and what follows from how a search ended.
+
+#[cfg(feature = "complete")]
+use core::cell::OnceCell;
+
+use super::floods::Floods;
+#[cfg(feature = "complete")]
+use super::members::Style;
+use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, From, MANY_CHANGES, Member, arrange, members};
+#[cfg(feature = "complete")]
+use super::open_space;
+#[cfg(feature = "complete")]
+use crate::geometry::Pose;
+use crate::geometry::arcs;
+use crate::planners::hybrid::config::Level;
+#[cfg(feature = "complete")]
+use crate::planners::hybrid::config::SearchFrom;
+#[cfg(feature = "complete")]
+use crate::planners::hybrid::holonomic;
+#[cfg(feature = "complete")]
+use crate::planners::hybrid::pose_heuristic::PoseHeuristic;
+use crate::planners::hybrid::question::{Search, Work};
+use crate::planners::hybrid::report::{Report, Status};
+use crate::search::Progress;
+
+/// Expansions of all members together, where the settings say nothing, …
+const TOTAL_EXPANSIONS: u32 = 150_000;
+/// … and where a search with the least margin has not come out of a slot: only the finest will.
+const SLOT_EXPANSIONS: u32 = 220_000;
+/// Expansions for more margin once there is a path, besides as many as it took.
+const MORE_MARGIN_EXPANSIONS: u32 = 200_000;
+/// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are
+/// many gear changes, or no way.
+const WIDE_SEARCH_POSES: u32 = 1000;
+/// Expansions of all members together where the first of those for open space are asked, …
+#[cfg(feature = "complete")]
+const OPEN_TOTAL_EXPANSIONS: u32 = 360_000;
+/// … and of the last alone.
+#[cfg(feature = "complete")]
+const LAST_EXPANSIONS: u32 = 300_000;
+
+/// Which members take turns.
+#[derive(Clone, Copy, PartialEq)]
+enum Stage {
+    /// Those of the levels.
+    Levels,
+    /// The first for open space: a search with the least margin came out of any slot and found no way, or all that may
+    /// be spent was spent.
+    OpenSpace { in_vain: bool },
+    /// The last for open space: one of the first has spent its work in vain.
+    #[cfg(feature = "complete")]
+    Last,
+}
+
+/// How a turn ended.
+enum Turn {
+    Found,
+    /// All that it can reach was searched.
+    Exhausted,
+    /// It may find a way with more work.
+    Spent,
+    /// It will not, and has proven nothing.
+    Lost,
+}
+
+/// True if the body could get to the other end if it moved in any direction.
+#[cfg(feature = "complete")]
+enum Hope {
+    Unasked,
+    Some,
+    /// It could not; the pose nearest to the other end that it may reach.
+    None(Pose),
+}
+
+/// The members that take turns, and what they have found.
+pub(super) struct Turns<'a> {
+    search: Search<'a>,
+    floods: &'a Floods<'a>,
+    /// True if the trees grow from the other end.
+    is_swapped: bool,
+    /// True if they may grow from either end.
+    #[cfg(feature = "complete")]
+    may_swap: bool,
+    members: Vec<Member>,
+    /// The largest margin to try.
+    #[cfg(feature = "complete")]
+    widest: usize,
+    /// Expansions of all members together.
+    effort: u32,
+    /// The path with the largest margin so far.
+    best: Option<Report>,
+    /// Whose turns these are.
+    stage: Stage,
+    /// How a member ended that has proven nothing.
+    doubt: Option<Status>,
+    /// True if the body could get there if it moved in any direction.
+    #[cfg(feature = "complete")]
+    hope: Hope,
+    /// The costs from poses to either end, made when they are needed first.
+    #[cfg(feature = "complete")]
+    poses: [OnceCell<PoseHeuristic>; 2],
+    /// What the last search from the hard end told that came to its end with the least margin.
+    proof: Option<Report>,
+}
+
+impl<'a> Turns<'a> {
+    /// Those of all levels and margins, from `widest` on, which is the largest with which a disc reaches the other end.
+    pub(super) fn new(search: Search<'a>, floods: &'a Floods<'a>, widest: usize, is_swapped: bool) -> Self {
+        let levels = search.config.levels();
+        Self {
+            search,
+            floods,
+            is_swapped,
+            #[cfg(feature = "complete")]
+            may_swap: search.config.search_from == SearchFrom::Goal,
+            members: members(levels, widest, &floods.margins),
+            #[cfg(feature = "complete")]
+            widest,
+            effort: TOTAL_EXPANSIONS,
+            best: None,
+            stage: Stage::Levels,
+            doubt: None,
+            #[cfg(feature = "complete")]
+            hope: Hope::Unasked,
+            #[cfg(feature = "complete")]
+            poses: Default::default(),
+            proof: None,
+        }
+    }
+
+    /// Takes all turns; what came of them is in `work.report`.
+    pub(super) fn take(mut self, work: &mut Work) {
+        self.rounds(work);
+        #[cfg(feature = "complete")]
+        {
+            work.report.stats.bytes +=
+                self.poses.iter().filter_map(OnceCell::get).map(PoseHeuristic::bytes).sum::<u64>();
+        }
+        self.conclude(work.report);
+    }
+
+    /// Lets members search in turn until one has found a path that no other may improve, all are dropped, or the work
+    /// is spent.
+    fn rounds(&mut self, work: &mut Work) {
+        if self.search.config.max_expansions.is_some() {
+            self.effort = u32::MAX;
+        }
+        for round in 0_u32.. {
+            // Everybody before this one has spent a slice in this round.
+            let mut at = 0;
+            while let Some(&member) = self.members.get(at).filter(|_| at <= round as usize) {
+                let before = work.report.stats.expanded;
+                if work.progress.as_ref().is_some_and(Progress::is_stopped) {
+                    return;
+                }
+                if before >= self.effort {
+                    #[cfg(feature = "complete")]
+                    if self.next_stage(work) {
+                        at = 0;
+                        continue;
+                    }
+                    return;
+                }
+                let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
+                let slice =
+                    if self.stage == Stage::Levels { FIRST_SLICE.saturating_mul(growth) } else { u32::MAX };
+                let turn = self.turn(member, slice.min(self.effort - before), work);
+                let expanded = work.report.stats.expanded - before;
+                if let (Stage::OpenSpace { in_vain }, Turn::Spent | Turn::Lost) = (&mut self.stage, &turn) {
+                    *in_vain = true;
+                }
+                at = match turn {
+                    Turn::Spent if self.may_ask_proof(member) => {
+                        self.members.swap(0, 1);
+                        0
+                    }
+                    Turn::Spent => at + 1,
+                    Turn::Lost => {
+                        self.doubt = Some(work.report.status);
+                        self.drop(at, |_| false)
+                    }
+                    Turn::Exhausted => self.exhausted(at, expanded, work.report),
+                    Turn::Found => self.found(at, work.report),
+                };
+                #[cfg(feature = "complete")]
+                if matches!((self.stage, &self.hope), (Stage::OpenSpace { .. }, Hope::Unasked))
+                    && self.is_hopeless(work)
+                {
+                    return;
+                }
+            }
+            #[cfg(feature = "complete")]
+            if self.members.is_empty() && self.next_stage(work) {
+                continue;
+            }
+            if self.members.is_empty() {
+                return;
+            }
+        }
+    }
+
+    /// Turns to the members for open space, where they may find a way: to the first where all that may be spent was
+    /// spent in vain, and to the last where one of the first has spent its work in vain.
+    #[cfg(feature = "complete")]
+    fn next_stage(&mut self, work: &mut Work) -> bool {
+        match self.stage {
+            _ if self.best.is_some() => false,
+            Stage::Levels if !self.members.is_empty() => {
+                self.enter_open_space();
+                !self.members.is_empty() && !self.is_hopeless(work)
+            }
+            Stage::OpenSpace { in_vain: true } => {
+                self.stage = Stage::Last;
+                self.members = open_space::last(self.search.config, self.least(), self.may_swap);
+                self.effort = work.report.stats.expanded.saturating_add(LAST_EXPANSIONS);
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// True if the body could not get there either if it moved in any direction; else more work is worth its while.
+    #[cfg(feature = "complete")]
+    fn is_hopeless(&mut self, work: &Work) -> bool {
+        let flood = self.floods.get(self.least(), self.is_swapped);
+        let search = if self.is_swapped { self.search.swapped(flood) } else { self.search };
+        let car = (search.checker, search.query.vehicle);
+        let keys = &mut work.scratch.keys.borrow_mut();
+        let ends = [search.root, search.target];
+        let nearest = holonomic::proven_apart(car, flood, ends, self.floods.least(), keys);
+        self.hope = nearest.map_or(Hope::Some, Hope::None);
+        nearest.is_some()
+    }
+
+    /// From now on only the first members for open space are asked, which the small module lacks.
+    fn enter_open_space(&mut self) {
+        self.stage = Stage::OpenSpace { in_vain: false };
+        self.members.clear();
+        #[cfg(feature = "complete")]
+        {
+            let is_unproven = self.proof.is_none();
+            self.members = open_space::first(self.search.config, self.least(), self.may_swap, is_unproven);
+            self.effort = OPEN_TOTAL_EXPANSIONS;
+        }
+    }
+
+    /// The index of the least margin.
+    fn least(&self) -> usize {
+        self.floods.margins.len() - 1
+    }
+
+    /// True if the proof is to be sought before a search with more margin goes on: it may find a way sooner, too.
+    fn may_ask_proof(&self, member: Member) -> bool {
+        let is_proof = |one: Member| one.level == 1 && self.is_least(one);
+        member.level == 1 && !is_proof(member) && self.members[0] == member && {
+            self.members.get(1).is_some_and(|&next| is_proof(next))
+        }
+    }
+
+    /// True if a member has the least of the margins: what it cannot reach, no member of its level can.
+    fn is_least(&self, member: Member) -> bool {
+        member.margin == self.least()
+    }
+
+    /// A member has searched all that it can reach. Coarser ones would reach no more, nor would any with more margin.
+    /// Where that came out of any slot, only finer ones with the least margin are asked now, from either end, which
+    /// prove more as well. Tells who is next.
+    fn exhausted(&mut self, at: usize, expanded: u32, report: &Report) -> usize {
+        let member = self.members[at];
+        let is_proof = self.is_least(member);
+        if is_proof && member.from == From::Hard {
+            self.proof = Some(report.clone());
+        }
+        if is_proof && self.effort == TOTAL_EXPANSIONS {
+            self.effort = SLOT_EXPANSIONS;
+        }
+        let next = self.drop(at, |one| member.outdoes(one));
+        if !is_proof
+            || self.stage != Stage::Levels
+            || self.best.is_some()
+            || expanded <= WIDE_SEARCH_POSES * member.level
+        {
+            return next;
+        }
+        self.enter_open_space();
+        self.members.retain(|&one| !member.outdoes(one));
+        0
+    }
+
+    /// A member has found a path. Only those go on that may keep more margin, a little more first, or, where there are
+    /// many gear changes, save some.
+    fn found(&mut self, at: usize, report: &mut Report) -> usize {
+        let member = self.members[at];
+        let is_comfortable = report.margin >= COMFORTABLE_MARGIN;
+        let is_restless = arcs::direction_changes(&report.arcs) > MANY_CHANGES;
+        let more = if is_comfortable { FIRST_SLICE } else { MORE_MARGIN_EXPANSIONS };
+        self.effort = self.effort.min(report.stats.expanded.saturating_add(report.stats.expanded.max(more)));
+        #[cfg(feature = "complete")]
+        if self.stage != Stage::Levels {
+            self.members.extend(open_space::with_more_margin(member, self.widest..member.margin));
+        }
+        self.stage = Stage::Levels;
+        self.offer(report);
+        self.drop(at, |one| {
+            let is_better = one.margin < member.margin
+                || (is_restless && one.margin == member.margin && one.level > member.level);
+            !is_better || (is_comfortable && one.is_last_resort())
+        });
+        let margins = &self.floods.margins;
+        arrange(&mut self.members, &|one| {
+            let is_close = margins[one.margin] < COMFORTABLE_MARGIN;
+            [usize::from(is_close), usize::from(one.margin == member.margin), margins.len() - one.margin]
+        });
+        0
+    }
+
+    /// Takes the member that had its turn out of the list, and the others for which there is no hope; tells where the
+    /// next one stands.
+    fn drop(&mut self, at: usize, is_hopeless: impl Fn(Member) -> bool) -> usize {
+        let (mut index, mut next) = (0, 0);
+        self.members.retain(|&one| {
+            let is_kept = index != at && !is_hopeless(one);
+            next += usize::from(is_kept && index < at);
+            index += 1;
+            is_kept
+        });
+        next
+    }
+
+    /// Keeps a path that has more margin than the best so far or, with the same, costs less.
+    fn offer(&mut self, report: &mut Report) {
+        let counters = report.counters();
+        let path = core::mem::replace(report, counters);
+        if self.best.as_ref().is_none_or(|best| path.margin > best.margin || path.cost < best.cost) {
+            self.best = Some(path);
+        }
+    }
+
+    /// One slice of a member; the answer is in `work.report`.
+    fn turn(&self, member: Member, slice: u32, work: &mut Work) -> Turn {
+        let is_swapped = self.is_swapped;
+        #[cfg(feature = "complete")]
+        let is_swapped = is_swapped != (member.from == From::Far);
+        let flood = self.floods.get(member.margin, is_swapped);
+        let search = if is_swapped { self.search.swapped(flood) } else { Search { flood, ..self.search } };
+        (work.report.margin, work.report.level) = (self.floods.margin(member.margin), member.level);
+        work.report.status = Status::NoPath;
+        if flood.distance(search.root).is_infinite() {
+            return Turn::Exhausted;
+        }
+        let level = member.level(search.config, self.is_least(member));
+        #[cfg(feature = "complete")]
+        let search =
+            if member.style == Style::Guided { self.guided(search, is_swapped, &level) } else { search };
+        let is_last = slice >= level.max_expansions;
+        if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
+            return Turn::Found;
+        }
+        match work.report.status {
+            Status::NoPath => Turn::Exhausted,
+            Status::BudgetExhausted(_) if !is_last => Turn::Spent,
+            _ => Turn::Lost,
+        }
+    }
+
+    /// The same search, guided by the costs from poses to its target. These are made with the least margin, once for
+    /// each end: a little more margin hardly changes where the car must turn.
+    #[cfg(feature = "complete")]
+    fn guided<'b>(&'b self, search: Search<'b>, is_swapped: bool, level: &Level) -> Search<'b> {
+        let poses = self.poses[usize::from(is_swapped)].get_or_init(|| {
+            let car = (search.checker, search.query.vehicle);
+            let to_root = self.floods.get(self.floods.count() - 1, !is_swapped);
+            let prices = (self.floods.least(), search.costs().searching(level).change());
+            PoseHeuristic::new(car, to_root, [search.root, search.target], prices)
+        });
+        Search { poses: Some(poses), ..search }
+    }
+
+    /// Says what came of it; the counters are those of all members.
+    fn conclude(self, report: &mut Report) {
+        #[cfg(feature = "complete")]
+        if let Hope::None(nearest) = self.hope {
+            (report.status, report.margin) = (Status::NoRoom, self.floods.least());
+            report.closest = Some(self.search.world(nearest));
+            return;
+        }
+        if let Some(known) = self.best.or(self.proof) {
+            *report = report.with_path_of(known);
+        } else if report.status == Status::NoPath {
+            report.status = self.doubt.unwrap_or(Status::BudgetExhausted(report.rs_bound));
+        }
+    }
+}
