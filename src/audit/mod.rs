@@ -28,7 +28,7 @@ pub use row::{Row, Way};
 
 use crate::error::Error;
 use crate::geometry::Pose;
-use crate::plan::{self, Ends, Planner};
+use crate::plan::{self, Ends, Planner, Site};
 use crate::scenario::{Entry, Scenario, Slot};
 use crate::vehicle::Vehicle;
 
@@ -64,7 +64,7 @@ pub fn audit(
     let mut rows = Vec::new();
     let mut shared = Vec::new();
     for vehicle in &options.vehicles {
-        shared.push(Asker::new(scene, vehicle, None, &options.settings)?);
+        shared.push(Asker::new(scene, vehicle, &options.settings)?);
     }
     for &bay in &options.bays {
         let slot = &scene.slots[bay];
@@ -74,7 +74,7 @@ pub fn audit(
         for (vehicle, shared) in options.vehicles.iter().zip(&mut shared) {
             let mut own = None;
             if slot.occupied {
-                own = Some(Asker::new(scene, vehicle, Some(bay), &options.settings)?);
+                own = Some(shared.with_free(bay)?);
             }
             let asker = own.as_mut().unwrap_or(shared);
             for entrance in &options.entrances {
@@ -99,9 +99,10 @@ pub fn bay_name(slot: &Slot, index: usize) -> String {
 
 /// One vehicle among the obstacles of a scene.
 ///
-/// Its planners hold the obstacles of the scene and, from question to question, the rasters that do not depend on start
-/// and goal.
+/// Its planners share the obstacles of the scene and, from question to question, the ways around them.
 struct Asker {
+    site: Site,
+    settings: Map<String, Value>,
     way_in: Planner,
     way_out: Planner,
     /// How far a vehicle's rear axle is ahead of that of the scene's car when their tails stand in one place, metres.
@@ -109,29 +110,30 @@ struct Asker {
 }
 
 impl Asker {
-    /// `freed` is the index of an occupied slot that is taken for free.
-    fn new(
-        scene: &Scenario,
-        vehicle: &AuditVehicle,
-        freed: Option<usize>,
-        settings: &Map<String, Value>,
-    ) -> Result<Self, Error> {
+    fn new(scene: &Scenario, vehicle: &AuditVehicle, settings: &Map<String, Value>) -> Result<Self, Error> {
         let own = scene.vehicle.resolve().map_err(|e| e.within("vehicle"))?;
         let mut scene = scene.clone();
         scene.vehicle = crate::scenario::VehicleSpec::Custom(vehicle.vehicle);
         // Ends are named in every question; a set of goals would be resolved for nothing.
         scene.goal = crate::scenario::Goal::Pose(scene.start);
-        if let Some(slot) = freed {
-            scene.slots[slot].occupied = false;
-        }
         let mut settings = settings.clone();
         for (name, value) in scene.planners.remove(IN).unwrap_or_default() {
             settings.entry(name).or_insert(value);
         }
-        let way_in = Planner::new(IN, &scene, &settings)?;
-        settings.remove("searchFrom");
-        let way_out = Planner::new(OUT, &scene, &settings)?;
-        Ok(Self { way_in, way_out, ahead: vehicle.vehicle.rear_to_back - own.rear_to_back })
+        Self::on(Site::new(&scene)?, settings, vehicle.vehicle.rear_to_back - own.rear_to_back)
+    }
+
+    /// The same where the car in an occupied slot is gone.
+    fn with_free(&self, slot: usize) -> Result<Self, Error> {
+        Self::on(self.site.with_free_slot(slot)?, self.settings.clone(), self.ahead)
+    }
+
+    fn on(site: Site, settings: Map<String, Value>, ahead: f64) -> Result<Self, Error> {
+        let way_in = site.planner(IN, &settings)?;
+        let mut outward = settings.clone();
+        outward.remove("searchFrom");
+        let way_out = site.planner(OUT, &outward)?;
+        Ok(Self { site, settings, way_in, way_out, ahead })
     }
 
     /// The answer to one question. The start is the entrance's pose moved by `ahead`, the goal the bay's pose for this

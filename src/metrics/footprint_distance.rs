@@ -21,6 +21,7 @@ pub const FAR: f64 = 10.0;
 const CONTACT: f64 = 1e-6;
 
 /// A segment of an outline with its bounding box. The boundary's edges come first in [`Body::edges`].
+#[derive(Clone)]
 pub(super) struct Edge {
     pub(super) a: Point,
     pub(super) b: Point,
@@ -44,6 +45,7 @@ impl Edge {
 }
 
 /// A polygon with an inside; a body that lies wholly in it meets no edge.
+#[derive(Clone)]
 pub(super) struct Solid {
     outline: Vec<Point>,
     owner: Owner,
@@ -74,6 +76,7 @@ impl Solid {
 /// let body = Body::new(&geometry);
 /// assert!(body.hit(geometry.start).is_none() && body.clearance(geometry.start) > 0.1);
 /// ```
+#[derive(Clone)]
 pub struct Body {
     vehicle: Vehicle,
     pub(super) origin: Point,
@@ -89,6 +92,7 @@ pub struct Body {
 /// Edges by the square of the plane that their bounding box touches.
 ///
 /// Row by row from `low`; what lies outside is in the nearest outermost bucket.
+#[derive(Clone)]
 pub(super) struct Buckets {
     pub(super) side: f64,
     low: Point,

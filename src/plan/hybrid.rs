@@ -1,5 +1,7 @@
 //! Hybrid A* in a scene.
 
+use std::sync::Arc;
+
 #[cfg(feature = "complete")]
 use super::choices::{self, Choosing, Wish};
 use super::engine::{Ask, Engine};
@@ -20,7 +22,7 @@ use crate::metrics::Verdict;
 #[cfg(not(feature = "complete"))]
 use crate::planners::hybrid::plan;
 #[cfg(feature = "complete")]
-use crate::planners::hybrid::{self, Last, Prefer, goal_of, plan_any, stay, with_room};
+use crate::planners::hybrid::{self, FloodMemory, Last, Prefer, goal_of, plan_any, stay, with_room};
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
 #[cfg(feature = "complete")]
 use crate::planners::registry::PlannerId;
@@ -40,7 +42,7 @@ pub(super) struct HybridEngine {
     #[cfg(feature = "complete")]
     last: Option<Last>,
     config: Config,
-    obstacles: Obstacles,
+    obstacles: Arc<Obstacles>,
     scratch: Scratch,
     /// The goals of the next plan, if there are several.
     #[cfg(feature = "complete")]
@@ -53,28 +55,24 @@ impl HybridEngine {
         #[cfg(feature = "complete")] kind: PlannerId,
         config: Config,
     ) -> Result<Self, Error> {
-        let frame = &world.frame;
-        let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
-        if side > MAX_LENGTH {
-            let message = message!(
-                "must be at most {} m wide and high where a car is to drive, got {} m",
-                MAX_LENGTH,
-                side
-            );
-            return Err(Error::new(ErrorCode::Input, "map", message));
-        }
-        let obstacles = obstacles(&world.geometry).painted(world.paint());
         Ok(Self {
             #[cfg(feature = "complete")]
             kind,
             #[cfg(feature = "complete")]
             last: None,
             config,
-            obstacles,
+            obstacles: obstacles_of(world)?.into(),
             scratch: Scratch::default(),
             #[cfg(feature = "complete")]
             goals: Vec::new(),
         })
+    }
+
+    /// The planner of other settings on ground that is prepared already.
+    #[cfg(feature = "complete")]
+    pub(super) fn on(ground: Ground, kind: PlannerId, config: Config) -> Self {
+        let Ground { obstacles, floods } = ground;
+        Self { kind, last: None, config, obstacles, scratch: Scratch::sharing(floods), goals: Vec::new() }
     }
 
     /// Plans between the ends of `world`, or to the cheapest of several goals, which is its goal from then on.
@@ -266,7 +264,10 @@ impl Engine for HybridEngine {
 
     #[cfg(feature = "complete")]
     fn obstacles_changed(&mut self, _: &Scenario, world: &World) {
-        self.obstacles = obstacles(&world.geometry).painted(world.paint());
+        // The map is as large as before.
+        if let Ok(obstacles) = obstacles_of(world) {
+            self.obstacles = obstacles.into();
+        }
     }
 
     #[cfg(feature = "complete")]
@@ -292,6 +293,50 @@ impl Engine for HybridEngine {
     #[cfg(feature = "complete")]
     fn continue_along(&mut self, poses: &[Pose], gears: &[i8], curvatures: &[f64]) {
         self.last = Some(Last::along(self.obstacles.local(poses[0]), poses, gears, curvatures));
+    }
+}
+
+/// Everything that blocks in a world, and its costs.
+///
+/// # Errors
+/// [`ErrorCode::Input`] where the map is too large for a car to drive in.
+fn obstacles_of(world: &World) -> Result<Obstacles, Error> {
+    let frame = &world.frame;
+    let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
+    if side > MAX_LENGTH {
+        let message = message!(
+            "must be at most {} m wide and high where a car is to drive, got {} m",
+            MAX_LENGTH,
+            side
+        );
+        return Err(Error::new(ErrorCode::Input, "map", message));
+    }
+    Ok(obstacles(&world.geometry).painted(world.paint()))
+}
+
+/// What planners of one scene share: its obstacles, and the ways around them.
+#[cfg(feature = "complete")]
+#[derive(Clone)]
+pub(super) struct Ground {
+    obstacles: Arc<Obstacles>,
+    floods: FloodMemory,
+}
+
+#[cfg(feature = "complete")]
+impl Ground {
+    /// # Errors
+    /// As those of a planner on this world.
+    pub(super) fn new(world: &World) -> Result<Self, Error> {
+        Ok(Self { obstacles: obstacles_of(world)?.into(), floods: FloodMemory::shared() })
+    }
+
+    /// That of another scene, which differs at one place. Floods are derived from this one's.
+    ///
+    /// # Errors
+    /// As those of a planner on this world.
+    pub(super) fn variant(&self, world: &World) -> Result<Self, Error> {
+        let obstacles = obstacles_of(world)?.variant_of(&self.obstacles);
+        Ok(Self { obstacles: obstacles.into(), floods: self.floods.clone() })
     }
 }
 

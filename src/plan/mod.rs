@@ -38,6 +38,8 @@ mod road_fit;
 #[cfg(not(target_arch = "wasm32"))]
 mod serialize;
 #[cfg(feature = "complete")]
+mod site;
+#[cfg(feature = "complete")]
 mod stages;
 #[cfg(feature = "complete")]
 mod tractrix;
@@ -53,6 +55,8 @@ pub use outcome::{Member, Recorded};
 pub use path::check_path;
 #[cfg(feature = "complete")]
 pub use path::{collision_risk, drive_envelope, optimise, path_poses, road_figures, route};
+#[cfg(feature = "complete")]
+pub(crate) use site::Site;
 #[cfg(feature = "complete")]
 pub use stages::{Stages, TangentArc};
 
@@ -164,20 +168,15 @@ impl Planner {
     /// A wrong scene or setting, named by field, value and rule.
     pub fn new(id: &str, scenario: &Scenario, config: &Map<String, Value>) -> Result<Self, Error> {
         let kind = PlannerId::of(id)?;
-        let mut settings = scenario.planners.get(id).cloned().unwrap_or_default();
-        settings.extend(config.clone());
-        for (name, other) in scenario.planners.iter().filter(|p| p.0 != id) {
-            let known =
-                default_config(name).map_err(|e| e.within("planners").with_code(ErrorCode::Scenario))?;
-            if let Some(stranger) = other.keys().find(|k| !known.contains_key(*k)) {
-                let path = format!("planners.{name}.{stranger}");
-                return Err(Error::new(ErrorCode::Scenario, path, message!("no setting of {}", name)));
-            }
-        }
-        #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
-        let mut world = World::new(scenario)?;
-        let engine = engine(kind, kind.settings(&settings)?, scenario, &world)?;
-        Ok(Self {
+        let settings = settings(kind, scenario, config)?;
+        let world = World::new(scenario)?;
+        let engine = engine(kind, settings, scenario, &world)?;
+        Ok(Self::of_parts(kind, scenario, world, engine))
+    }
+
+    #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
+    fn of_parts(kind: PlannerId, scenario: &Scenario, mut world: World, engine: Box<dyn Engine>) -> Self {
+        Self {
             kind,
             scenario: scenario.clone(),
             own_ends: [world.geometry.start, world.geometry.goal],
@@ -187,7 +186,7 @@ impl Planner {
             engine,
             #[cfg(feature = "complete")]
             brush: None,
-        })
+        }
     }
 
     /// The scene.
@@ -288,6 +287,23 @@ impl Planner {
         }
         Ok(self.engine.explain(&self.world, Point::new(x, y)))
     }
+}
+
+/// A planner's settings: its defaults, below the scene's, below `config`.
+///
+/// # Errors
+/// A wrong setting of this planner, or one in the scene that its planner does not have.
+fn settings(kind: PlannerId, scenario: &Scenario, config: &Map<String, Value>) -> Result<Settings, Error> {
+    let mut settings = scenario.planners.get(kind.id()).cloned().unwrap_or_default();
+    settings.extend(config.clone());
+    for (name, other) in scenario.planners.iter().filter(|p| p.0 != kind.id()) {
+        let known = default_config(name).map_err(|e| e.within("planners").with_code(ErrorCode::Scenario))?;
+        if let Some(stranger) = other.keys().find(|k| !known.contains_key(*k)) {
+            let path = format!("planners.{name}.{stranger}");
+            return Err(Error::new(ErrorCode::Scenario, path, message!("no setting of {}", name)));
+        }
+    }
+    kind.settings(&settings)
 }
 
 /// The engine of a planner's family on a scene.

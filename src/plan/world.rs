@@ -13,6 +13,7 @@ use crate::{Error, geometry::Point};
 /// A validated scene, prepared for planning.
 ///
 /// The frame maps cells to metres: cell (x, y) covers the square from origin + resolution·(x, y) to the next.
+#[derive(Clone)]
 pub(super) struct World {
     pub(super) geometry: Geometry,
     pub(super) body: Body,

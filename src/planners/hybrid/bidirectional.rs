@@ -127,7 +127,7 @@ pub(super) fn search(
         query.vehicle,
         search.root,
         report.margin,
-        other.flood.take(),
+        Some(&other.floods),
     );
     let floods = if search.mirrored { [&back, search.flood] } else { [search.flood, &back] };
     let driven = search.costs().searching(&level);
@@ -164,7 +164,6 @@ pub(super) fn search(
     let nodes = search::Scratch::<f64, State>::bytes(generated as usize, open_peak);
     let keys = scratch.keys.borrow().bytes() + other.keys.borrow().bytes();
     report.stats.add(SearchStats { bytes: nodes as u64 + keys + back.bytes(), ..found.stats });
-    other.flood = Some(back);
     let is_spent = found.end == End::BudgetSpent;
     if cheapest.cost.is_finite() {
         return Some((cheapest.arcs, if is_spent { Status::Suboptimal } else { Status::Found }));

@@ -167,7 +167,6 @@ impl Many<'_> {
             }
         }
         sum.stats.bytes += flood.bytes();
-        scratch.flood = Some(flood);
         let Some((at, found)) = best else { return self.one_by_one(sum, scratch, progress) };
         sum.stats.bytes += self.query.obstacles.bytes();
         (at, Report { stats: sum.stats, collision_checks: sum.collision_checks, ..found })
@@ -202,9 +201,9 @@ impl Many<'_> {
     }
 
     /// The ways around obstacles to the start, for a car with this margin.
-    fn flood(&self, margin: f64, scratch: &mut Scratch) -> ObstacleHeuristic {
+    fn flood(&self, margin: f64, scratch: &Scratch) -> ObstacleHeuristic {
         let Query { obstacles, vehicle, .. } = *self.query;
-        ObstacleHeuristic::new(obstacles, vehicle, self.start, margin, scratch.flood.take())
+        ObstacleHeuristic::new(obstacles, vehicle, self.start, margin, Some(&scratch.floods))
     }
 
     /// Metres of the way to a goal at least, as far as is known; infinite where there is none.
@@ -274,7 +273,6 @@ impl Many<'_> {
     ) -> (usize, Report) {
         let flood = self.flood(MIN_MARGIN.min(sum.margin), scratch);
         let mut distances = self.distances(&flood);
-        scratch.flood = Some(flood);
         let (mut answer, mut is_proven) = (None, true);
         loop {
             let at = math::argmin(&distances);

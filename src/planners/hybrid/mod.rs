@@ -30,6 +30,7 @@ mod choices;
 mod config;
 mod cost;
 mod domain;
+mod flood_memory;
 #[cfg(feature = "complete")]
 mod goals;
 #[cfg(feature = "complete")]
@@ -60,6 +61,8 @@ pub use anchor::{Last, stay};
 #[cfg(feature = "complete")]
 pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, SearchFrom};
+#[cfg(feature = "complete")]
+pub use flood_memory::FloodMemory;
 #[cfg(feature = "complete")]
 pub use goals::{goal_of, plan_any, with_room};
 pub use profile::Profile;
@@ -223,7 +226,7 @@ impl Local<'_> {
         let mirrored = config.search_from != SearchFrom::Start
             && (from_start >= STUCK_TRAVEL || from_start >= from_goal);
         let (root, target) = if mirrored { (goal, start) } else { (start, goal) };
-        let floods = Floods::new(query, config, [target, root], room.margin, work.scratch.flood.take());
+        let floods = Floods::new(query, config, [target, root], room.margin, &work.scratch.floods);
         (work.report.margin, work.report.obstruction) = (floods.least(), None);
         if let Some((widest, flood)) = floods.widest() {
             work.report.margin = floods.margin(widest);
@@ -250,7 +253,6 @@ impl Local<'_> {
                 unreachable(query, [start, goal], work.report.margin);
         }
         work.report.stats.bytes += floods.bytes();
-        work.scratch.flood = floods.into_memory();
     }
 
     /// Says what is in the way where there is no path.

@@ -8,6 +8,7 @@ use core::cell::RefCell;
 
 use super::config::Config;
 use super::cost::CostModel;
+use super::flood_memory::FloodMemory;
 use super::obstacle_heuristic::ObstacleHeuristic;
 #[cfg(feature = "complete")]
 use super::pose_heuristic::PoseHeuristic;
@@ -60,7 +61,7 @@ pub struct Query<'a> {
 pub struct Scratch {
     pub(super) search: crate::search::Scratch<f64, State>,
     pub(super) keys: RefCell<StateIndex>,
-    pub(super) flood: Option<ObstacleHeuristic>,
+    pub(super) floods: FloodMemory,
     /// Of the other tree, where two grow.
     #[cfg(feature = "complete")]
     pub(super) other: Option<Box<Self>>,
@@ -70,6 +71,11 @@ pub struct Scratch {
 
 #[cfg(feature = "complete")]
 impl Scratch {
+    /// Memory that shares its floods with other planners.
+    pub fn sharing(floods: FloodMemory) -> Self {
+        Self { floods, ..Self::default() }
+    }
+
     /// From now on searches from one end write down all that they do, each at most so many steps.
     pub fn record(&mut self, limit: Option<usize>) {
         self.recorded_steps = limit;

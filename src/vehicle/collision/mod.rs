@@ -35,9 +35,13 @@ mod obstacles;
 mod reach;
 #[cfg(test)]
 mod tests;
+#[cfg(feature = "complete")]
+mod variant;
 
 pub use checker::CollisionChecker;
 #[cfg(feature = "complete")]
 pub use corridor::Corridor;
 pub use obstacles::{Edge, Obstacles, Solid};
 pub use reach::{Reach, Sampling};
+#[cfg(feature = "complete")]
+pub use variant::Original;

@@ -4,6 +4,8 @@
 //! edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in constant
 //! time. Coordinates are local: the origin is the boundary's lower left corner.
 
+#[cfg(feature = "complete")]
+use super::variant::Original;
 use crate::geometry::polygon::{contains, nearest_share};
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::map::{Frame, Layer, Occupancy, WeightMap, distance, raster};
@@ -56,8 +58,8 @@ pub struct Solid {
 /// each edge that they hold. Making one is linear in edges, buckets and cells.
 #[derive(Debug)]
 pub struct Obstacles {
-    origin: Point,
-    edges: Vec<Edge>,
+    pub(super) origin: Point,
+    pub(super) edges: Vec<Edge>,
     solids: Vec<Solid>,
     boundary: Solid,
     columns: usize,
@@ -74,6 +76,9 @@ pub struct Obstacles {
     fingerprint: u64,
     /// Weights of the floor; `None` if all cells cost the same.
     paint: Option<WeightMap>,
+    /// Other obstacles, of which these are a variant.
+    #[cfg(feature = "complete")]
+    pub(super) original: Option<Original>,
 }
 
 impl Obstacles {
@@ -114,6 +119,8 @@ impl Obstacles {
             field,
             fingerprint,
             paint: None,
+            #[cfg(feature = "complete")]
+            original: None,
         };
         obstacles.fill_buckets();
         obstacles
@@ -262,8 +269,10 @@ impl Obstacles {
         // Three divisions a pose would be a third of the time that it takes.
         let [x, y] = [(x - self.frame.origin.x) * self.per_metre, (y - self.frame.origin.y) * self.per_metre];
         let Frame { width, height, .. } = self.frame;
-        if x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height) {
-            f64::from(self.field.data[y as usize * width as usize + x as usize])
+        // Through i32, which is one instruction where usize takes many.
+        let (column, row) = (x as i32 as u32, y as i32 as u32);
+        if x >= 0.0 && y >= 0.0 && column < width && row < height {
+            f64::from(self.field.data[row as usize * width as usize + column as usize])
         } else {
             0.0
         }
@@ -316,7 +325,7 @@ pub(super) fn segment_distance(a: Point, b: Point, c: Point, d: Point) -> f64 {
 }
 
 /// The lower left and the upper right corner of the box around some points.
-fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
+pub(super) fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
     let inf = f64::INFINITY;
     points.into_iter().fold((Point::new(inf, inf), Point::new(-inf, -inf)), |(low, high), p| {
         (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))

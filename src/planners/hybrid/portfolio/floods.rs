@@ -10,6 +10,7 @@ use core::cell::OnceCell;
 
 use crate::geometry::Pose;
 use crate::planners::hybrid::config::{Config, FIRST_SHUFFLING_LEVEL};
+use crate::planners::hybrid::flood_memory::FloodMemory;
 use crate::planners::hybrid::obstacle_heuristic::ObstacleHeuristic;
 use crate::planners::hybrid::question::{MIN_MARGIN, Query};
 
@@ -26,20 +27,20 @@ pub(in crate::planners::hybrid) struct Floods<'a> {
 }
 
 impl<'a> Floods<'a> {
-    /// For the margin asked for and, where the settings allow it, less. `memory` is used again.
+    /// For the margin asked for and, where the settings allow it, less. The first flood is that of `memory`.
     pub(in crate::planners::hybrid) fn new(
         query: &'a Query<'a>,
         config: &Config,
         ends: [Pose; 2],
         asked: f64,
-        memory: Option<ObstacleHeuristic>,
+        memory: &FloodMemory,
     ) -> Self {
         let mut margins = vec![asked];
         if config.levels() > FIRST_SHUFFLING_LEVEL {
             margins.extend(FALLBACK_MARGINS.into_iter().filter(|&margin| margin < asked));
         }
         let floods = Self::with(query, ends, margins);
-        floods.get_from(0, false, memory);
+        floods.get_from(0, false, Some(memory));
         floods
     }
 
@@ -61,12 +62,7 @@ impl<'a> Floods<'a> {
 
     /// Towards the first end, or the second, with one of the margins.
     #[inline(never)]
-    fn get_from(
-        &self,
-        margin: usize,
-        is_swapped: bool,
-        memory: Option<ObstacleHeuristic>,
-    ) -> &ObstacleHeuristic {
+    fn get_from(&self, margin: usize, is_swapped: bool, memory: Option<&FloodMemory>) -> &ObstacleHeuristic {
         let (Query { obstacles, vehicle, .. }, end) = (self.query, usize::from(is_swapped));
         self.made[margin][end].get_or_init(|| {
             ObstacleHeuristic::new(obstacles, vehicle, self.ends[end], self.margins[margin], memory)
@@ -98,10 +94,5 @@ impl<'a> Floods<'a> {
     /// Bytes of the rasters made so far.
     pub(in crate::planners::hybrid) fn bytes(&self) -> u64 {
         self.made.iter().flatten().filter_map(OnceCell::get).map(ObstacleHeuristic::bytes).sum()
-    }
-
-    /// The first one's memory.
-    pub(in crate::planners::hybrid) fn into_memory(mut self) -> Option<ObstacleHeuristic> {
-        self.made[0][0].take()
     }
 }
