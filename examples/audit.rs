@@ -1,16 +1,16 @@
 //! Audits of drawn lots: how long they take, what they find, and the standards' smallest bays and aisles.
 //!
 //! `cargo run --release --example audit -- lots [FROM TO] [threads]`, `… -- presets [threads] [ID]`,
-//! `… -- goals [seeds] [threads] [BAYS]`, `… -- standards`
+//! `… -- goals [seeds] [threads] [BAYS]`, `… -- moves [FROM TO]`, `… -- standards`
 
 use std::ops::ControlFlow;
 use std::time::Instant;
 
 use parkade::Error;
 use parkade::audit::standards::CASES;
-use parkade::audit::{Options, Row, audit};
+use parkade::audit::{Auditor, Known, Options, Row, affected};
 use parkade::scenario::lot::{Lot, PRESETS};
-use parkade::scenario::{Entry, Scenario};
+use parkade::scenario::{Entry, Obstacle, Scenario};
 use serde_json::{Value, json};
 
 fn main() -> Result<(), Error> {
@@ -18,6 +18,7 @@ fn main() -> Result<(), Error> {
     let number = |at: usize, default: u64| arguments.get(at).and_then(|n| n.parse().ok()).unwrap_or(default);
     match arguments.first().map(String::as_str) {
         Some("standards") => standards()?,
+        Some("moves") => moves(number(1, 1), number(2, 4))?,
         Some("presets") => {
             for preset in PRESETS.iter().filter(|one| arguments.get(2).is_none_or(|id| id == one.id)) {
                 report(preset.id, &preset.lot, number(1, 2) as usize)?;
@@ -98,12 +99,48 @@ fn report(name: &str, lot: &Lot, threads: usize) -> Result<(), Error> {
     Ok(())
 }
 
+/// Moves columns of lots of 60 bays, and asks the rows again that this can touch.
+fn moves(from: u64, to: u64) -> Result<(), Error> {
+    for seed in from..to {
+        let fields = json!({ "seed": seed, "rows": 4, "bays": 15, "columns": 3 });
+        let scene = Lot::from_json(&fields)?.draw()?.scene;
+        let options = Options::of(&scene, &json!({ "whatIf": "each-free" }))?;
+        let rows = in_threads(&scene, &json!({ "whatIf": "each-free" }), 1)?;
+        let known: Vec<Known> = rows.iter().map(|row| Known::of(row, &options)).collect();
+        let is_column = |one: &Obstacle| matches!(one, Obstacle::Rectangle { .. });
+        let columns: Vec<usize> =
+            (0..scene.obstacles.len()).filter(|&at| is_column(&scene.obstacles[at])).collect();
+        let each = (columns.len() / 4).max(1);
+        for (k, &at) in columns.iter().step_by(each).enumerate() {
+            let mut after = scene.clone();
+            if let Obstacle::Rectangle { center, .. } = &mut after.obstacles[at] {
+                center[k % 2] += [1.0, -0.5][k / 2 % 2];
+            }
+            let touched = affected(&scene, &after, &options, &known)?;
+            let clock = Instant::now();
+            let mut auditor = Auditor::new(&after, &options)?;
+            for (row, _) in rows.iter().zip(&touched).filter(|(_, is_touched)| **is_touched) {
+                let part = Options { bays: vec![row.index], entries: vec![row.entry], ..options.clone() };
+                auditor.rows(&part, &mut |_| ControlFlow::Continue(()))?;
+            }
+            let count = touched.iter().filter(|is_touched| **is_touched).count();
+            println!(
+                "seed {seed}, column {at}: {count} of {} rows, {:.2} s",
+                rows.len(),
+                clock.elapsed().as_secs_f64()
+            );
+        }
+    }
+    Ok(())
+}
+
 /// The rows of an audit, whose bays some threads share.
 fn in_threads(scene: &Scenario, options: &Value, threads: usize) -> Result<Vec<Row>, Error> {
     let whole = Options::of(scene, options)?;
     let next = std::sync::atomic::AtomicUsize::new(0);
     let mut parts: Vec<Row> = std::thread::scope(|scope| {
         let work = || {
+            let mut auditor = Auditor::new(scene, &whole)?;
             let mut rows = Vec::new();
             loop {
                 let at = next.fetch_add(4, std::sync::atomic::Ordering::Relaxed);
@@ -112,7 +149,7 @@ fn in_threads(scene: &Scenario, options: &Value, threads: usize) -> Result<Vec<R
                     return Ok(rows);
                 }
                 let part = Options { bays, ..whole.clone() };
-                rows.extend(audit(scene, &part, &mut |_| ControlFlow::Continue(()))?);
+                rows.extend(auditor.rows(&part, &mut |_| ControlFlow::Continue(()))?);
             }
         };
         let handles: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();

@@ -41,7 +41,8 @@ const OUT: &str = "hybrid-forward";
 ///
 /// `each` is given every row as soon as it is known; where it breaks, the audit ends with the rows so far.
 ///
-/// Memory holds one planner pair for each vehicle, and one more while an occupied bay is asked as if it were free.
+/// Memory holds one planner pair for each vehicle, and one more while an occupied bay is asked as if it were free. Who
+/// asks in parts keeps an [`Auditor`].
 ///
 /// # Errors
 /// A wrong scene or option, named by field, value and rule.
@@ -61,35 +62,91 @@ pub fn audit(
     options: &Options,
     each: &mut dyn FnMut(&Row) -> ControlFlow<()>,
 ) -> Result<Vec<Row>, Error> {
-    let mut rows = Vec::new();
-    let mut shared = Vec::new();
-    for vehicle in &options.vehicles {
-        shared.push(Asker::new(scene, vehicle, &options.settings)?);
+    Auditor::new(scene, options)?.rows(options, each)
+}
+
+/// Audits parts of one job: what their questions have in common is prepared once.
+///
+/// # Examples
+/// ```
+/// use std::ops::ControlFlow;
+/// use parkade::audit::{Auditor, Options, audit};
+///
+/// let scene = parkade::scenario::catalog::scenario("perpendicular").unwrap();
+/// let whole = Options::of(&scene, &serde_json::json!({ "whatIf": "each-free" })).unwrap();
+/// let mut auditor = Auditor::new(&scene, &whole).unwrap();
+/// let mut rows = Vec::new();
+/// for bays in whole.bays.chunks(2) {
+///     let part = Options { bays: bays.to_vec(), ..whole.clone() };
+///     assert!(auditor.serves(&scene, &part));
+///     rows.extend(auditor.rows(&part, &mut |_| ControlFlow::Continue(())).unwrap());
+/// }
+/// assert_eq!(rows, audit(&scene, &whole, &mut |_| ControlFlow::Continue(())).unwrap());
+/// ```
+pub struct Auditor {
+    scene: Scenario,
+    settings: Map<String, Value>,
+    vehicles: Vec<AuditVehicle>,
+    /// One for each vehicle.
+    askers: Vec<Asker>,
+}
+
+impl Auditor {
+    /// Prepares a scene for the vehicles and settings of some options.
+    ///
+    /// # Errors
+    /// A wrong scene or setting, named by field, value and rule.
+    pub fn new(scene: &Scenario, options: &Options) -> Result<Self, Error> {
+        let asker = |vehicle| Asker::new(scene, vehicle, &options.settings);
+        let askers: Result<Vec<Asker>, Error> = options.vehicles.iter().map(asker).collect();
+        Ok(Self {
+            scene: scene.clone(),
+            settings: options.settings.clone(),
+            vehicles: options.vehicles.clone(),
+            askers: askers?,
+        })
     }
-    for &bay in &options.bays {
-        let slot = &scene.slots[bay];
-        if slot.occupied && options.what_if == WhatIf::AsIs {
-            continue;
-        }
-        for (vehicle, shared) in options.vehicles.iter().zip(&mut shared) {
-            let mut own = None;
-            if slot.occupied {
-                own = Some(shared.with_free(bay)?);
+
+    /// True if this was prepared for the same scene, vehicles and settings.
+    pub fn serves(&self, scene: &Scenario, options: &Options) -> bool {
+        self.scene == *scene && self.settings == options.settings && self.vehicles == options.vehicles
+    }
+
+    /// The rows of the bays, entrances and entries in `options`, in the order of [`audit`].
+    ///
+    /// # Errors
+    /// None for options that this [serves](Auditor::serves).
+    pub fn rows(
+        &mut self,
+        options: &Options,
+        each: &mut dyn FnMut(&Row) -> ControlFlow<()>,
+    ) -> Result<Vec<Row>, Error> {
+        let mut rows = Vec::new();
+        for &bay in &options.bays {
+            let slot = &self.scene.slots[bay];
+            if slot.occupied && options.what_if == WhatIf::AsIs {
+                continue;
             }
-            let asker = own.as_mut().unwrap_or(shared);
-            for entrance in &options.entrances {
-                for &entry in &options.entries {
-                    let row = asker.row(bay, (vehicle, entrance, entry), options.out);
-                    let flow = each(&row);
-                    rows.push(row);
-                    if flow.is_break() {
-                        return Ok(rows);
+            for (vehicle, shared) in self.vehicles.iter().zip(&mut self.askers) {
+                let mut own = None;
+                if slot.occupied {
+                    own = Some(shared.with_free(bay)?);
+                }
+                let asker = own.as_mut().unwrap_or(shared);
+                for entrance in &options.entrances {
+                    for &entry in &options.entries {
+                        let row = asker.row(bay, (vehicle, entrance, entry), options.out);
+                        let flow = each(&row);
+                        rows.push(row);
+                        if flow.is_break() {
+                            return Ok(rows);
+                        }
                     }
                 }
             }
         }
+        Ok(rows)
     }
-    Ok(rows)
 }
 
 /// The name of a bay: its id, or its number from 1.

@@ -6,6 +6,7 @@
 //! After an edit only some rows can change. Rows cross the border as flat numbers, four for each row and three for
 //! each swept pose, because thousands of objects would cost more than the test itself.
 
+use std::cell::RefCell;
 use std::ops::ControlFlow;
 
 use js_sys::Array;
@@ -14,7 +15,7 @@ use wasm_bindgen::prelude::*;
 
 use super::codec::{f64s, object, set, write};
 use super::{JsResult, codec, goes_on, optional, read_scene};
-use crate::audit::{Known, Options, Row, Way, affected, audit};
+use crate::audit::{Auditor, Known, Options, Row, Way, affected};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::scenario::lot::{Lot, PRESETS, Preset};
@@ -78,6 +79,11 @@ fn row(row: &Row) -> JsValue {
     answer
 }
 
+thread_local! {
+    /// What the last audit prepared: workers are asked for one part of a lot after another.
+    static LAST: RefCell<Option<Auditor>> = const { RefCell::new(None) };
+}
+
 /// The rows of an audit; `each` is given each row, and answers whether to go on.
 #[wasm_bindgen(js_name = audit)]
 #[expect(clippy::needless_pass_by_value, reason = "optional functions arrive as values of their own")]
@@ -85,12 +91,16 @@ pub fn js_audit(scene: JsValue, options: JsValue, each: Option<js_sys::Function>
     let scene = read_scene(scene)?;
     let fields = optional(options, ErrorCode::Input)?;
     let options = js(Options::of(&scene, &fields.into()))?;
+    // Taken out, because `each` may ask for another audit.
+    let last = LAST.take().filter(|last| last.serves(&scene, &options));
+    let mut auditor = last.map_or_else(|| js(Auditor::new(&scene, &options)), Ok)?;
     let rows = Array::new();
-    js(audit(&scene, &options, &mut |one| {
+    js(auditor.rows(&options, &mut |one| {
         let one = row(one);
         rows.push(&one);
         each.as_ref().map_or(ControlFlow::Continue(()), |each| goes_on(each, &one))
     }))?;
+    LAST.set(Some(auditor));
     Ok(rows.into())
 }
 

@@ -34,10 +34,10 @@ function checked(): BayCheck {
 
 /** Workers that answer in turns of the event loop, and note what they are asked. */
 const workers = (asked: number[]) => (): BayWorker => ({
-  ask: async (scene, vehicle, bays) => {
+  ask: async (scene, vehicle, bays, entries) => {
     asked.push(...bays);
     await new Promise((done) => setTimeout(done));
-    return audit(scene, { vehicles: [vehicle], bays: [...bays], whatIf: "each-free" });
+    return audit(scene, { vehicles: [vehicle], bays: [...bays], entries: [...entries], whatIf: "each-free" });
   },
   stop: () => {},
 });
@@ -97,7 +97,9 @@ describe("a check of all bays", () => {
     const after = await settled(store);
     expect(inOrder(after)).toEqual(whole(moved));
     expect(new Set(asked.slice(0, stale.size))).toEqual(stale);
-    expect([...asked].sort((a, b) => a - b)).toEqual(scene.slots!.map((_, i) => i));
+    // Each bay is asked once, or for one entry first and for the other one later.
+    expect([...new Set(asked)].sort((a, b) => a - b)).toEqual(scene.slots!.map((_, i) => i));
+    expect(asked.length).toBeLessThanOrEqual(scene.slots!.length + stale.size);
     // What was not held stale has the answer that it had.
     const before = new Map(whole(scene).map((row) => [`${row.index} ${row.entry}`, row]));
     const changed = new Set(

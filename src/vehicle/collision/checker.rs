@@ -177,21 +177,21 @@ impl<'a> CollisionChecker<'a> {
             let (sin, cos) = math::sin_cos(from.heading + turn * f64::from(far));
             checks += 1;
             let place = at(far, sin, cos);
-            let spare = self.spare(place, radius);
+            let spare = self.room(place) - radius;
             if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
                 self.count(checks);
                 return false;
             }
-            far = far.saturating_sub((spare / max_disc_speed) as u32);
+            far = far.saturating_sub((spare.max(0.0) / max_disc_speed) as u32);
         }
         let free = loop {
             let place = at(k, sin, cos);
             checks += 1;
-            let spare = self.spare(place, radius);
+            let spare = self.room(place) - radius;
             if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
                 break false;
             }
-            let settled = ((spare / max_disc_speed) as u32).saturating_add(1);
+            let settled = ((spare.max(0.0) / max_disc_speed) as u32).saturating_add(1);
             if settled >= k {
                 break true;
             }
@@ -254,19 +254,6 @@ impl<'a> CollisionChecker<'a> {
     pub(super) fn room(&self, at: Placement) -> f64 {
         let field = |&d: &f64| self.obstacles.field_at(at.x + d * at.cos, at.y + d * at.sin);
         self.discs.iter().map(field).fold(f64::INFINITY, f64::min) - self.slack
-    }
-
-    /// The room beyond `radius`, or 0 where a disc has no more than that.
-    #[inline(always)]
-    pub(super) fn spare(&self, at: Placement, radius: f64) -> f64 {
-        let mut least = f64::INFINITY;
-        for &d in &self.discs {
-            least = least.min(self.obstacles.field_at(at.x + d * at.cos, at.y + d * at.sin));
-            if least - self.slack - radius <= 0.0 {
-                return 0.0;
-            }
-        }
-        least - self.slack - radius
     }
 
     /// The answer of [`CollisionChecker::hit`] as a truth value, for a place whose sine and cosine are known; not

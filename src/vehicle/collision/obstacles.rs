@@ -269,10 +269,8 @@ impl Obstacles {
         // Three divisions a pose would be a third of the time that it takes.
         let [x, y] = [(x - self.frame.origin.x) * self.per_metre, (y - self.frame.origin.y) * self.per_metre];
         let Frame { width, height, .. } = self.frame;
-        // Through i32, which is one instruction where usize takes many.
-        let (column, row) = (x as i32 as u32, y as i32 as u32);
-        if x >= 0.0 && y >= 0.0 && column < width && row < height {
-            f64::from(self.field.data[row as usize * width as usize + column as usize])
+        if x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height) {
+            f64::from(self.field.data[y as usize * width as usize + x as usize])
         } else {
             0.0
         }

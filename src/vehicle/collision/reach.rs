@@ -140,7 +140,7 @@ impl Reach {
             }
             let place = self.start.along(arc.curvature, next * sign, sin, cos);
             checks += 1;
-            let spare = checker.spare(place, radius);
+            let spare = checker.room(place) - radius;
             if spare <= 0.0 {
                 if checker.exact(place, margin - CONTACT).is_some() {
                     blocked = next;

@@ -10,6 +10,7 @@ import { ensureIds } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
+import type { SitePlanReader } from "../planning/site-plan-reader";
 import type { SitePlanDialog } from "./site-plan-dialog";
 import { vast } from "../view/lazy-large-maps";
 import { AppElement } from "./base";
@@ -23,6 +24,9 @@ import { apart } from "../app/refusals";
 const say = words("import", messages);
 
 const IMAGE = /\.(png|jpe?g|webp|gif|bmp)$/i;
+
+/** Bytes of a drawing in which its kind is told. */
+const HEAD = 20_000;
 
 const ENTITIES: Record<string, string> = { amp: "&", lt: "<", gt: ">", quot: '"', apos: "'" };
 
@@ -39,9 +43,10 @@ async function sceneInside(file: File): Promise<readonly [string, Uint8Array<Arr
 /** True for drawings and maps of the ground by layers; a drawing of ours carries its scene. */
 async function isSitePlan(file: File): Promise<boolean> {
   if (/\.(dxf|dwg|osm|geojson)$/i.test(file.name)) return true;
-  if (/\.svg$/i.test(file.name)) return !/<metadata\b[^>]*>\s*\{/.test((await file.text()).replaceAll("&quot;", '"'));
+  // Ours begin with their scene.
+  if (/\.svg$/i.test(file.name)) return !/<metadata\b[^>]*>\s*\{/.test(await file.slice(0, HEAD).text());
   if (!/\.json$/i.test(file.name)) return false;
-  const head = await file.slice(0, 2000).text();
+  const head = await file.slice(0, HEAD).text();
   return /"type"\s*:\s*"(FeatureCollection|Feature)"|"elements"\s*:\s*\[/.test(head);
 }
 
@@ -94,6 +99,7 @@ export class ImportBar extends AppElement {
   declare at: number;
   private helper: Helper | null = null;
   private sitePlans: SitePlanDialog | null = null;
+  private sitePlan: SitePlanReader | null = null;
   private turn = 0;
 
   constructor() {
@@ -110,6 +116,7 @@ export class ImportBar extends AppElement {
     super.disconnectedCallback();
     this.helper?.stop();
     this.helper = null;
+    this.sitePlan?.close();
     this.sitePlans?.remove();
   }
 
@@ -162,17 +169,21 @@ export class ImportBar extends AppElement {
       { name } = file;
     this.app.store.set({ message: { tone: "info", text: say(this.state.lang, "reading", { name }) } });
     try {
-      const [{ sitePlanOf }, { SitePlanDialog }] = await Promise.all([
+      const [{ SitePlanReader }, { SitePlanDialog }] = await Promise.all([
         import("../planning/site-plan-reader"),
         import("./site-plan-dialog"),
       ]);
-      const plan = await sitePlanOf(file);
-      if (turn !== this.turn) return;
+      this.sitePlan?.close();
+      const reader = new SitePlanReader();
+      this.sitePlan = reader;
+      const plan = await reader.read(file);
+      if (turn !== this.turn) return reader.close();
       this.sitePlans ??= Object.assign(new SitePlanDialog(), { app: this.app });
       if (!this.sitePlans.isConnected) this.getRootNode().appendChild(this.sitePlans);
-      this.sitePlans.ask(plan, name);
+      this.sitePlans.ask(plan, reader, name);
     } catch (error) {
       if (turn !== this.turn) return;
+      this.sitePlan?.close();
       const { lang } = this.state,
         { line } = fieldsOf(error),
         reason = refusal(error);

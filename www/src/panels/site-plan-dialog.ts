@@ -1,5 +1,5 @@
 import type { Role, SitePlan, SitePlanScene } from "parkade/siteplan";
-import { css, html, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { refusal, sentence } from "../app/app";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/site-plan.json";
@@ -7,8 +7,8 @@ import { words } from "../i18n/words";
 import { boxOf, distance, type Point } from "../scene/geometry";
 import { ensureIds } from "../scene/model";
 import type { Scene } from "../store";
-import { SitePlanError } from "../siteplan/site-plan";
-import { ROLES, sceneFromSitePlan, suggestedRole, suggestedUnit, widthOf } from "../siteplan/site-plan-scene";
+import type { SitePlanReader } from "../planning/site-plan-reader";
+import { ROLES, suggestedRole, suggestedUnit, widthOf } from "../siteplan/site-plan-scene";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-large-maps";
@@ -23,6 +23,9 @@ const say = words("sitePlan", messages);
 /** A scene with what there is to say of it. */
 type Made = Omit<SitePlanScene, "scene"> & { scene: Scene };
 
+/** What takes less is not told, milliseconds: a small plan would flicker. */
+const SLOW = 150;
+
 /** Asks what the layers of a site plan are, and shows the scene that comes of them. */
 export class SitePlanDialog extends DialogElement {
   static override properties = {
@@ -33,6 +36,9 @@ export class SitePlanDialog extends DialogElement {
     around: { state: true },
     ruler: { state: true },
     lit: { state: true },
+    made: { state: true },
+    isConverting: { state: true },
+    isSlow: { state: true },
   };
   static override styles = [
     controls,
@@ -83,21 +89,32 @@ export class SitePlanDialog extends DialogElement {
   declare around: number;
   declare ruler: [Point, Point] | null;
   declare lit: string;
+  /** What the last conversion gave: a scene, or why there is none. */
+  declare made: Made | { reason: Said } | null;
+  declare isConverting: boolean;
+  declare isSlow: boolean;
   private name = "";
+  private reader: SitePlanReader | null = null;
+  /** True if something was chosen while a conversion ran. */
+  private isOutdated = false;
 
   protected override readonly closesOutside = false;
 
   constructor() {
     super();
-    this.plan = this.ruler = null;
+    this.plan = this.ruler = this.made = null;
+    this.isConverting = this.isSlow = false;
     this.roles = {};
     this.unit = 1;
     this.around = 25;
     this.lit = "";
   }
 
-  ask(plan: SitePlan, name: string): void {
+  /** The dialog closes the reader. */
+  ask(plan: SitePlan, reader: SitePlanReader, name: string): void {
     this.plan = plan;
+    this.reader = reader;
+    this.made = null;
     this.name = name;
     this.roles = Object.fromEntries(plan.layers.map((layer) => [layer.name, suggestedRole(layer.name)]));
     this.unit = suggestedUnit(plan);
@@ -109,17 +126,24 @@ export class SitePlanDialog extends DialogElement {
 
   protected override closed(): void {
     this.plan = null;
+    this.reader?.close();
+  }
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    if (this.plan && (["plan", "roles", "unit", "around"] as const).some((key) => changed.has(key)))
+      void this.convert(this.plan);
   }
 
   protected override content(): TemplateResult {
-    const { plan, roles, unit, lit, ruler } = this,
-      { lang } = this.state;
+    const { plan, roles, unit, lit, ruler, made } = this,
+      { lang } = this.state,
+      isOpenable = made !== null && "scene" in made && !this.isConverting;
     if (!plan) return html``;
-    const made = this.made(plan);
     return html`${this.top(say(lang, "title"), this.name)}
-      <div class="scroll"><form novalidate @submit=${(event: Event) => this.accept(event, made)}>
+      <div class="scroll"><form novalidate aria-busy=${this.isConverting} @submit=${this.accept}>
         <parkade-site-plan-preview .app=${this.app} .plan=${plan} .roles=${roles} .unit=${unit} .lit=${lit}
-          .ruler=${ruler} .scene=${"scene" in made ? made.scene : null}
+          .ruler=${ruler} .scene=${made && "scene" in made ? made.scene : null}
           label=${say(lang, "preview")} @ruler=${(event: CustomEvent<[Point, Point]>) => {
             this.ruler = event.detail;
           }}></parkade-site-plan-preview>
@@ -129,13 +153,19 @@ export class SitePlanDialog extends DialogElement {
           ${this.field("around", this.around, "m", (value) => {
             this.around = value;
           })}
-          ${("reason" in made ? plan : made).notes.map((note) => html`<p>${reasonIn(lang, sentence(note))}</p>`)}
-          ${
-            "reason" in made
-              ? html`<p class="fault" role="alert">${reasonIn(lang, made.reason)}</p>`
-              : html`<p aria-live="polite">${say(lang, "found", made.counts)} ${this.size(made)}</p>`
-          }
-          <button class="button solid" ?disabled=${"reason" in made}>${say(lang, "open")}</button></div></form></div>`;
+          ${(made && "notes" in made ? made : plan).notes.map((note) => html`<p>${reasonIn(lang, sentence(note))}</p>`)}
+          ${this.answer()}
+          <button class="button solid" ?disabled=${!isOpenable}>${say(lang, "open")}</button></div></form></div>`;
+  }
+
+  /** What would open, or why nothing does. */
+  private answer(): TemplateResult {
+    const { made } = this,
+      { lang } = this.state;
+    if (!made || this.isSlow) return html`<p aria-live="polite">${this.isSlow ? say(lang, "converting") : nothing}</p>`;
+    return "reason" in made
+      ? html`<p class="fault" role="alert">${reasonIn(lang, made.reason)}</p>`
+      : html`<p aria-live="polite">${say(lang, "found", made.counts)} ${this.size(made)}</p>`;
   }
 
   private layer(name: string, lines: number): TemplateResult {
@@ -208,13 +238,30 @@ export class SitePlanDialog extends DialogElement {
     });
   }
 
+  /** Makes the scene of what is chosen now, and once more of what was chosen meanwhile. */
+  private async convert(plan: SitePlan): Promise<void> {
+    this.isOutdated = true;
+    if (this.isConverting) return;
+    this.isConverting = true;
+    const timer = setTimeout(() => {
+      this.isSlow = true;
+    }, SLOW);
+    while (this.isOutdated && this.plan === plan) {
+      this.isOutdated = false;
+      this.made = await this.converted();
+    }
+    clearTimeout(timer);
+    this.isConverting = this.isSlow = false;
+    if (this.plan && this.plan !== plan) void this.convert(this.plan);
+  }
+
   /** The scene, or why there is none. */
-  private made(plan: SitePlan): Made | { reason: Said } {
+  private async converted(): Promise<Made | { reason: Said }> {
     const { roles, unit, around } = this;
     if (Object.values(roles).every((role) => role === "none"))
       return { reason: { message: say(this.state.lang, "choose") } };
     try {
-      const made = sceneFromSitePlan(plan, {
+      const made = await this.reader!.scene({
         roles,
         metresPerUnit: unit,
         around,
@@ -224,14 +271,15 @@ export class SitePlanDialog extends DialogElement {
       this.app.catalog?.geometry(scene);
       return { ...made, scene };
     } catch (error) {
-      if (error instanceof SitePlanError || error instanceof Error) return { reason: refusal(error) };
+      if (error instanceof Error) return { reason: refusal(error) };
       throw error;
     }
   }
 
-  private async accept(event: Event, made: Made | { reason: Said }): Promise<void> {
+  private async accept(event: Event): Promise<void> {
     event.preventDefault();
-    if ("reason" in made) return;
+    const { made } = this;
+    if (!made || !("scene" in made) || this.isConverting) return;
     await (await vast.load()).prepare(made.scene, this.app.tokens());
     void this.app.links.mark();
     this.app.preset = null;

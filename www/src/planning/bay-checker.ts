@@ -1,5 +1,5 @@
 import type { AuditRow } from "parkade";
-import { changesBetween, grown, isNear, sweepsNear, type SceneChanges } from "../scene/scene-changes";
+import { changesBetween, isNear, sweepsNear, type SceneChanges } from "../scene/scene-changes";
 import type { Scenario } from "../scene/scenario";
 import { vehicleOf } from "../scene/vehicle";
 import type { Store } from "../store";
@@ -19,26 +19,39 @@ const MOST_AT_ONCE = 6;
 
 /** What a worker of a test needs: one part of an audit. */
 export interface BayWorker {
-  ask(scene: Scenario, vehicle: AskedVehicle, bays: readonly number[]): Promise<AuditRow[]>;
+  ask(scene: Scenario, vehicle: AskedVehicle, bays: readonly number[], entries: readonly Entry[]): Promise<AuditRow[]>;
   stop(): void;
 }
 
 export function bayWorker(engine: Engine): BayWorker {
   const helper = new Helper(engine);
   return {
-    ask: (scene, vehicle, bays) =>
-      helper.call("audit", { scene, options: { vehicles: [vehicle], bays: [...bays], whatIf: "each-free" } }),
+    ask: (scene, vehicle, bays, entries) =>
+      helper.call("audit", {
+        scene,
+        options: { vehicles: [vehicle], bays: [...bays], entries: [...entries], whatIf: "each-free" },
+      }),
     stop: () => helper.stop(),
   };
+}
+
+type Entry = AuditRow["entry"];
+const ENTRIES: readonly Entry[] = ["head-in", "reverse-in"];
+
+/** A question for a worker. */
+interface Question {
+  bay: number;
+  entries: readonly Entry[];
 }
 
 export class BayChecker {
   private readonly workers: { worker: BayWorker; busy: boolean }[];
   private rows = new Map<number, readonly AuditRow[]>();
-  private stale = new Set<number>();
-  private queue: number[] = [];
-  /** Bays asked and not yet answered. */
-  private asked = new Set<number>();
+  /** Entries whose answers are those of an earlier scene. */
+  private stale = new Map<number, readonly Entry[]>();
+  private queue: Question[] = [];
+  /** Unanswered questions of each bay that has some. */
+  private pending = new Map<number, number>();
   private of = 0;
   /** Counts questions: answers to earlier ones are dropped. */
   private turn = 0;
@@ -61,10 +74,13 @@ export class BayChecker {
     this.vehicle = vehicle;
     this.scene = this.store.state.scene;
     this.rows = new Map();
-    this.begin(this.all(), new Set());
+    this.begin(
+      this.all().map((bay) => ({ bay, entries: ENTRIES })),
+      new Map(),
+    );
   }
 
-  /** Asks again what an edit may have changed: first the bays that it touches, then the others. */
+  /** Asks again what an edit may have changed: first the ways that it touches, then the others. */
   follow(scene: Scenario): void {
     const changes = changesBetween(this.scene, scene);
     if (!changes.everywhere && changes.boxes.length === 0) return;
@@ -73,11 +89,16 @@ export class BayChecker {
     const all = this.all();
     if ((before.slots ?? []).some((slot, i) => slot.id !== scene.slots?.[i]?.id)) this.rows = new Map();
     for (const index of this.rows.keys()) if (index >= all.length) this.rows.delete(index);
-    const touched = new Set(all.filter((index) => this.isTouched(index, changes)));
-    this.begin(
-      [...touched, ...all.filter((index) => !touched.has(index))],
-      new Set([...touched, ...[...this.stale].filter((index) => index < all.length)]),
-    );
+    const first: Question[] = [],
+      then: Question[] = [];
+    for (const bay of all) {
+      const touched = [...this.touched(bay, changes), ...(this.stale.get(bay) ?? [])],
+        entries = ENTRIES.filter((entry) => touched.includes(entry)),
+        others = ENTRIES.filter((entry) => !entries.includes(entry));
+      if (entries.length > 0) first.push({ bay, entries });
+      if (others.length > 0) then.push({ bay, entries: others });
+    }
+    this.begin([...first, ...then], new Map(first.map(({ bay, entries }) => [bay, entries])));
   }
 
   stop(): void {
@@ -91,26 +112,24 @@ export class BayChecker {
     return (this.scene.slots ?? []).map((_, index) => index);
   }
 
-  private isTouched(index: number, { everywhere, boxes, slots }: SceneChanges): boolean {
+  /** The entries of a bay whose ways an edit touches. */
+  private touched(index: number, { everywhere, boxes, slots }: SceneChanges): readonly Entry[] {
     const rows = this.rows.get(index);
-    if (everywhere || !rows || slots.has(nth(this.scene.slots!, index).id ?? "")) return true;
+    if (everywhere || !rows || slots.has(nth(this.scene.slots!, index).id ?? "")) return ENTRIES;
     const vehicle = vehicleOf(this.vehicle.vehicle);
-    return rows.some((row) =>
-      [row, row.out].some(
-        (way) =>
-          way &&
-          (sweepsNear(way.swept, vehicle, boxes, REACH) ||
-            (!way.reachable && (!way.place || boxes.some((box) => isNear(way.place!, grown(box, 0), BLOCKING))))),
-      ),
-    );
+    const isTouched = (way: AuditRow | NonNullable<AuditRow["out"]>): boolean =>
+      sweepsNear(way.swept, vehicle, boxes, REACH) ||
+      (!way.reachable && (!way.place || boxes.some((box) => isNear(way.place!, box, BLOCKING))));
+    return rows.filter((row) => isTouched(row) || (row.out && isTouched(row.out))).map(({ entry }) => entry);
   }
 
-  private begin(queue: number[], stale: Set<number>): void {
+  private begin(queue: Question[], stale: Map<number, readonly Entry[]>): void {
     this.turn++;
     this.queue = queue;
     this.stale = stale;
-    this.of = queue.length;
-    this.asked = new Set();
+    this.pending = new Map();
+    for (const { bay } of queue) this.pending.set(bay, (this.pending.get(bay) ?? 0) + 1);
+    this.of = this.pending.size;
     this.tell();
     // A worker that still reckons the scene before would hold up the first answers.
     for (const member of this.workers.filter(({ busy }) => busy)) {
@@ -127,19 +146,27 @@ export class BayChecker {
     while (turn === this.turn && this.queue.length > 0) {
       // Single bays first and last: so that something is seen soon, and no worker ends long after the others.
       const share = Math.ceil(this.queue.length / (3 * this.workers.length)),
-        isFirst = this.stale.has(nth(this.queue, 0)) || this.rows.size === 0;
-      const bays = this.queue.splice(0, isFirst ? 1 : Math.min(MOST_AT_ONCE, share));
-      for (const bay of bays) this.asked.add(bay);
+        { bay, entries } = nth(this.queue, 0),
+        isFirst = this.stale.has(bay) || this.rows.size === 0,
+        most = isFirst ? 1 : Math.min(MOST_AT_ONCE, share),
+        other = this.queue.findIndex(
+          (question) => question.entries.length !== entries.length || question.entries[0] !== entries[0],
+        ),
+        bays = this.queue.splice(0, other < 0 ? most : Math.min(most, other)).map((question) => question.bay);
       try {
-        const rows = await member.worker.ask(this.scene, this.vehicle, bays);
+        const rows = await member.worker.ask(this.scene, this.vehicle, bays, entries);
         if (turn !== this.turn) return;
-        for (const bay of bays) {
-          this.rows.set(
-            bay,
-            rows.filter(({ index }) => index === bay),
+        for (const index of bays) {
+          this.take(
+            index,
+            rows.filter((row) => row.index === index),
           );
-          this.stale.delete(bay);
-          this.asked.delete(bay);
+          const old = (this.stale.get(index) ?? []).filter((entry) => !entries.includes(entry));
+          if (old.length > 0) this.stale.set(index, old);
+          else this.stale.delete(index);
+          const left = (this.pending.get(index) ?? 0) - 1;
+          if (left > 0) this.pending.set(index, left);
+          else this.pending.delete(index);
         }
       } catch (error) {
         if (turn !== this.turn) return;
@@ -153,17 +180,27 @@ export class BayChecker {
     if (this.workers.every(({ busy }) => !busy)) this.tell();
   }
 
+  /** Puts answers in place of those that the bay has to the same entries. */
+  private take(bay: number, rows: readonly AuditRow[]): void {
+    const known = [...rows, ...(this.rows.get(bay) ?? [])],
+      of = (entry: Entry): AuditRow | undefined => known.find((row) => row.entry === entry);
+    this.rows.set(
+      bay,
+      ENTRIES.map(of).filter((row) => row !== undefined),
+    );
+  }
+
   private tell(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
     const now = this.store.state.bays,
-      done = this.of - this.queue.length - this.asked.size;
+      done = this.of - this.pending.size;
     if (!now) return;
     const bays: BayCheck = {
       ...now,
       vehicle: this.vehicle,
       rows: new Map(this.rows),
-      stale: new Set(this.stale),
+      stale: new Set(this.stale.keys()),
       done,
       of: this.of,
     };

@@ -3,7 +3,7 @@ import { boxOf, distance, fromPose, type Box, type Point } from "./geometry";
 import { slotOutline } from "./slots";
 import { cornersOf } from "./shapes";
 import type { Obstacle, Scenario, Slot } from "./scenario";
-import { footprint, vehicleOf } from "./vehicle";
+import { vehicleOf } from "./vehicle";
 import type { Pose, Vehicle } from "parkade";
 import { nth } from "./nth";
 
@@ -70,19 +70,33 @@ export const grown = ({ minX, minY, maxX, maxY }: Box, by: number): Box => ({
   maxY: maxY + by,
 });
 
-/** True if the body at any pose of a way (x, y, heading, …) comes within `reach` of a box. */
+/**
+ * True if the body at any pose of a way (x, y, heading, …) comes within `reach` of a box, by the axes of both; at a
+ * corner it may be a little farther away.
+ */
 export function sweepsNear(poses: ArrayLike<number>, vehicle: Vehicle, boxes: readonly Box[], reach: number): boolean {
+  const length = (vehicle.rearToFront + vehicle.rearToBack) / 2,
+    ahead = vehicle.rearToFront - length,
+    width = vehicle.width / 2;
   for (let i = 0; i + 2 < poses.length; i += 3) {
-    const pose = { x: nth(poses, i), y: nth(poses, i + 1), heading: nth(poses, i + 2) },
-      body = boxOf(footprint(pose, vehicle));
-    for (const box of boxes)
+    const cos = Math.cos(nth(poses, i + 2)),
+      sin = Math.sin(nth(poses, i + 2)),
+      x = nth(poses, i) + ahead * cos,
+      y = nth(poses, i + 1) + ahead * sin;
+    for (const box of boxes) {
+      const dx = (box.minX + box.maxX) / 2 - x,
+        dy = (box.minY + box.maxY) / 2 - y,
+        w = (box.maxX - box.minX) / 2 + reach,
+        h = (box.maxY - box.minY) / 2 + reach,
+        [c, s] = [Math.abs(cos), Math.abs(sin)];
       if (
-        body.minX - reach <= box.maxX &&
-        body.maxX + reach >= box.minX &&
-        body.minY - reach <= box.maxY &&
-        body.maxY + reach >= box.minY
+        Math.abs(dx) <= w + length * c + width * s &&
+        Math.abs(dy) <= h + length * s + width * c &&
+        Math.abs(dx * cos + dy * sin) <= length + w * c + h * s &&
+        Math.abs(dy * cos - dx * sin) <= width + w * s + h * c
       )
         return true;
+    }
   }
   return false;
 }
