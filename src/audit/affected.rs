@@ -5,15 +5,13 @@
 //! unreachable row stays true while nothing was removed, because more obstacles open no way. These two rules need no
 //! search; a row that satisfies neither is asked again.
 
-use std::collections::BTreeSet;
-
 use serde_json::Value;
 
 use super::{Options, Row};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::metrics::Body;
-use crate::scenario::resolve::{Form, Geometry, Shape};
+use crate::scenario::resolve::{Geometry, Shape};
 use crate::scenario::{Scenario, Slot};
 use crate::vehicle::Vehicle;
 
@@ -117,20 +115,19 @@ fn frame_of(scene: &Scenario) -> Value {
     serde_json::to_value(bare).unwrap_or_default()
 }
 
-/// The shapes of `one` that `other` lacks. Shapes are compared by the bits of their corners, so a shape that moved by
-/// any amount is both removed and added.
+/// The shapes of `one` that `other` lacks. A shape that moved by any amount is both removed and added.
+///
+/// Most shapes stand where they stood in the list, or as many places away as the one before; only for the others is
+/// the whole list gone through.
 fn difference<'a>(one: &'a Geometry, other: &Geometry) -> Vec<&'a Shape> {
-    let known: BTreeSet<Vec<u64>> = other.shapes.iter().map(|shape| bits(&shape.form)).collect();
-    one.shapes.iter().filter(|shape| !known.contains(&bits(&shape.form))).collect()
-}
-
-/// The bits of a form's corners, x and y in turn: a key that is equal for equal shapes only.
-fn bits(form: &Form) -> Vec<u64> {
-    let corners = match form {
-        Form::Segment(a, b) => &[*a, *b][..],
-        Form::Polygon(outline) => &outline[..],
+    let mut next = 0;
+    let is_new = |shape: &&Shape| {
+        let is_at = |at: usize| other.shapes.get(at).is_some_and(|known| known.form == shape.form);
+        let found = if is_at(next) { Some(next) } else { (0..other.shapes.len()).find(|&at| is_at(at)) };
+        next = found.unwrap_or(next) + 1;
+        found.is_none()
     };
-    corners.iter().flat_map(|p| [p.x.to_bits(), p.y.to_bits()]).collect()
+    one.shapes.iter().filter(is_new).collect()
 }
 
 /// A floor on which only these shapes stand: its border is too far away to matter.

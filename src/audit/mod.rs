@@ -84,8 +84,8 @@ pub fn audit(
 /// assert_eq!(rows, audit(&scene, &whole, &mut |_| ControlFlow::Continue(())).unwrap());
 /// ```
 pub struct Auditor {
-    scene: Scenario,
-    settings: Map<String, Value>,
+    /// The scene and the settings as a text.
+    key: String,
     vehicles: Vec<AuditVehicle>,
     /// One for each vehicle.
     askers: Vec<Asker>,
@@ -97,19 +97,16 @@ impl Auditor {
     /// # Errors
     /// A wrong scene or setting, named by field, value and rule.
     pub fn new(scene: &Scenario, options: &Options) -> Result<Self, Error> {
-        let asker = |vehicle| Asker::new(scene, vehicle, &options.settings);
-        let askers: Result<Vec<Asker>, Error> = options.vehicles.iter().map(asker).collect();
-        Ok(Self {
-            scene: scene.clone(),
-            settings: options.settings.clone(),
-            vehicles: options.vehicles.clone(),
-            askers: askers?,
-        })
+        let mut askers = Vec::new();
+        for vehicle in &options.vehicles {
+            askers.push(Asker::new(scene, vehicle, &options.settings)?);
+        }
+        Ok(Self { key: key(scene, options), vehicles: options.vehicles.clone(), askers })
     }
 
     /// True if this was prepared for the same scene, vehicles and settings.
     pub fn serves(&self, scene: &Scenario, options: &Options) -> bool {
-        self.scene == *scene && self.settings == options.settings && self.vehicles == options.vehicles
+        self.vehicles == options.vehicles && self.key == key(scene, options)
     }
 
     /// The rows of the bays, entrances and entries in `options`, in the order of [`audit`].
@@ -123,13 +120,13 @@ impl Auditor {
     ) -> Result<Vec<Row>, Error> {
         let mut rows = Vec::new();
         for &bay in &options.bays {
-            let slot = &self.scene.slots[bay];
-            if slot.occupied && options.what_if == WhatIf::AsIs {
-                continue;
-            }
             for (vehicle, shared) in self.vehicles.iter().zip(&mut self.askers) {
+                let is_occupied = shared.way_in.scenario().slots[bay].occupied;
+                if is_occupied && options.what_if == WhatIf::AsIs {
+                    continue;
+                }
                 let mut own = None;
-                if slot.occupied {
+                if is_occupied {
                     own = Some(shared.with_free(bay)?);
                 }
                 let asker = own.as_mut().unwrap_or(shared);
@@ -147,6 +144,11 @@ impl Auditor {
         }
         Ok(rows)
     }
+}
+
+/// What an auditor depends on besides the vehicles.
+fn key(scene: &Scenario, options: &Options) -> String {
+    format!("{}{}", serde_json::json!(scene), serde_json::json!(options.settings))
 }
 
 /// The name of a bay: its id, or its number from 1.
@@ -185,6 +187,7 @@ impl Asker {
         Self::on(self.site.with_free_slot(slot)?, self.settings.clone(), self.ahead)
     }
 
+    #[inline(never)]
     fn on(site: Site, settings: Map<String, Value>, ahead: f64) -> Result<Self, Error> {
         let way_in = site.planner(IN, &settings)?;
         let mut outward = settings.clone();

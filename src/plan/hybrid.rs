@@ -61,7 +61,7 @@ impl HybridEngine {
             #[cfg(feature = "complete")]
             last: None,
             config,
-            obstacles: obstacles_of(world)?.into(),
+            obstacles: Arc::new(obstacles_of(world)?),
             scratch: Scratch::default(),
             #[cfg(feature = "complete")]
             goals: Vec::new(),
@@ -300,6 +300,7 @@ impl Engine for HybridEngine {
 ///
 /// # Errors
 /// [`ErrorCode::Input`] where the map is too large for a car to drive in.
+#[cfg_attr(feature = "complete", inline(never))]
 fn obstacles_of(world: &World) -> Result<Obstacles, Error> {
     let frame = &world.frame;
     let side = f64::from(frame.width.max(frame.height)) * frame.resolution;

@@ -166,6 +166,7 @@ impl Planner {
     ///
     /// # Errors
     /// A wrong scene or setting, named by field, value and rule.
+    #[cfg_attr(feature = "complete", inline(never))]
     pub fn new(id: &str, scenario: &Scenario, config: &Map<String, Value>) -> Result<Self, Error> {
         let kind = PlannerId::of(id)?;
         let settings = settings(kind, scenario, config)?;
@@ -175,6 +176,7 @@ impl Planner {
     }
 
     #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
+    #[cfg_attr(feature = "complete", inline(never))]
     fn of_parts(kind: PlannerId, scenario: &Scenario, mut world: World, engine: Box<dyn Engine>) -> Self {
         Self {
             kind,
@@ -293,6 +295,7 @@ impl Planner {
 ///
 /// # Errors
 /// A wrong setting of this planner, or one in the scene that its planner does not have.
+#[cfg_attr(feature = "complete", inline(never))]
 fn settings(kind: PlannerId, scenario: &Scenario, config: &Map<String, Value>) -> Result<Settings, Error> {
     let mut settings = scenario.planners.get(kind.id()).cloned().unwrap_or_default();
     settings.extend(config.clone());

@@ -38,10 +38,11 @@ impl FloodMemory {
 
     /// The flood from a source, for a disc among obstacles; kept from now on.
     pub(super) fn flood(&self, room: &Room, source: Option<Cell>) -> Flood {
-        if let Some(known) = self.find(|flood| flood.ground.serves(room) && flood.source == source) {
+        let known = self.find(&|flood| flood.ground.serves(room) && flood.source == source);
+        if let Some(known) = known {
             return known;
         }
-        let ground = self.find(|flood| flood.ground.serves(room)).map(|flood| flood.ground);
+        let ground = self.find(&|flood| flood.ground.serves(room)).map(|flood| flood.ground);
         #[cfg(feature = "complete")]
         if let Some(original) = room.obstacles.original() {
             let known = self.flood(&Room { obstacles: &original.obstacles, ..*room }, source);
@@ -56,7 +57,8 @@ impl FloodMemory {
     }
 
     /// The flood of which this is true.
-    fn find(&self, is_wanted: impl Fn(&Flood) -> bool) -> Option<Flood> {
+    #[inline(never)]
+    fn find(&self, is_wanted: &dyn Fn(&Flood) -> bool) -> Option<Flood> {
         let mut floods = self.floods.lock().unwrap_or_else(PoisonError::into_inner);
         let at = floods.iter().rposition(is_wanted)?;
         let found = floods.remove(at);
@@ -65,6 +67,7 @@ impl FloodMemory {
     }
 
     /// Keeps a flood in place of the one that was used longest ago.
+    #[inline(never)]
     fn kept(&self, flood: Flood) -> Flood {
         let mut floods = self.floods.lock().unwrap_or_else(PoisonError::into_inner);
         if floods.len() >= self.most {

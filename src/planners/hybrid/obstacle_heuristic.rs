@@ -26,8 +26,6 @@
 //! and used again if obstacles, radius and source are the same.
 
 use std::sync::Arc;
-#[cfg(feature = "complete")]
-use std::{cmp::Reverse, collections::BinaryHeap};
 
 use super::flood_memory::FloodMemory;
 use crate::geometry::{Point, Pose, Vector};
@@ -174,6 +172,7 @@ impl ObstacleHeuristic {
 
 impl Flood {
     /// The flood over this ground; empty where the source is off the raster.
+    #[inline(never)]
     pub(super) fn new(ground: Arc<Ground>, source: Option<Cell>) -> Self {
         let steps = source.map_or_else(Vec::new, |cell| spread(&ground, cell));
         Self { ground, source, steps: steps.into() }
@@ -184,7 +183,7 @@ impl Flood {
     #[cfg(feature = "complete")]
     pub(super) fn onto(&self, ground: Arc<Ground>) -> Self {
         let mut steps = Vec::clone(&self.steps);
-        let mut open = BinaryHeap::new();
+        let mut nearer = Vec::new();
         let around = neighbours(ground.frame.width as usize);
         let changed = |&at: &usize| ground.costs[at] != self.ground.costs[at];
         for at in (0..steps.len()).filter(changed) {
@@ -195,20 +194,19 @@ impl Flood {
             let least = around.iter().map(reached).min().unwrap_or(UNREACHED);
             if least < steps[at] {
                 steps[at] = least;
-                open.push(Reverse((least, at)));
+                nearer.push(at);
             }
         }
-        while let Some(Reverse((now, at))) = open.pop() {
-            if steps[at] != now {
-                continue;
-            }
-            for (by, length) in around {
-                let index = at.wrapping_add(by);
-                let Some(&cost) = ground.costs.get(index) else { continue };
-                let reached = now + u32::from(cost) * length;
-                if cost > 0 && reached < steps[index] {
-                    steps[index] = reached;
-                    open.push(Reverse((reached, index)));
+        while !nearer.is_empty() {
+            for at in core::mem::take(&mut nearer) {
+                for (by, length) in around {
+                    let index = at.wrapping_add(by);
+                    let Some(&cost) = ground.costs.get(index) else { continue };
+                    let reached = steps[at] + u32::from(cost) * length;
+                    if cost > 0 && reached < steps[index] {
+                        steps[index] = reached;
+                        nearer.push(index);
+                    }
                 }
             }
         }
@@ -254,6 +252,7 @@ impl Room<'_> {
     }
 
     /// Writes the costs of the cells from `from` to before `to`; outermost cells keep theirs, which is 0.
+    #[inline(never)]
     fn fill(&self, costs: &mut [u8], from: [u32; 2], to: [u32; 2]) {
         let frame = self.obstacles.frame();
         let half_diagonal = frame.resolution * core::f64::consts::FRAC_1_SQRT_2;

@@ -1,6 +1,5 @@
 //! Obstacles that differ from others at one place, such as a parked car that is gone.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::Obstacles;
@@ -22,17 +21,22 @@ pub struct Original {
 impl Obstacles {
     /// The same obstacles, which are known from now on as a variant of others. Nothing changes where the two differ in
     /// origin or lattice.
+    ///
+    /// All edges between the first and the last that differ, in the order of both, count as changed: one thing that is
+    /// missing is found exactly.
     #[must_use]
     pub fn variant_of(mut self, original: &Arc<Self>) -> Self {
         if self.origin == original.origin && self.frame() == original.frame() {
-            let (own, others) = (keys(&self.edges), keys(&original.edges));
-            let is_added = |edge: &&Edge| !others.contains(&key(edge));
-            let is_removed = |edge: &&Edge| !own.contains(&key(edge));
-            let is_freer = !self.edges.iter().any(|edge| is_added(&edge));
-            let added = self.edges.iter().filter(is_added);
-            let removed = original.edges.iter().filter(is_removed);
-            let change = bounds(added.chain(removed).flat_map(|edge| [edge.a, edge.b]));
-            self.original = Some(Original { obstacles: Arc::clone(original), change, is_freer });
+            let (own, others) = (&self.edges[..], &original.edges[..]);
+            let before = own.iter().zip(others).take_while(|(a, b)| is_same(a, b)).count();
+            let (own, others) = (&own[before..], &others[before..]);
+            let behind = own.iter().rev().zip(others.iter().rev()).take_while(|(a, b)| is_same(a, b)).count();
+            let (own, others) = (&own[..own.len() - behind], &others[..others.len() - behind]);
+            self.original = Some(Original {
+                obstacles: Arc::clone(original),
+                change: bounds(own.iter().chain(others).flat_map(|edge| [edge.a, edge.b])),
+                is_freer: own.is_empty(),
+            });
         }
         self
     }
@@ -43,10 +47,7 @@ impl Obstacles {
     }
 }
 
-fn key(edge: &Edge) -> [u64; 4] {
-    [edge.a.x, edge.a.y, edge.b.x, edge.b.y].map(f64::to_bits)
-}
-
-fn keys(edges: &[Edge]) -> BTreeSet<[u64; 4]> {
-    edges.iter().map(key).collect()
+/// True if two edges lie in the same place; whose they are does not matter.
+fn is_same(one: &Edge, other: &Edge) -> bool {
+    (one.a, one.b) == (other.a, other.b)
 }
