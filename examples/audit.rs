@@ -107,9 +107,12 @@ fn moves(from: u64, to: u64) -> Result<(), Error> {
         let options = Options::of(&scene, &json!({ "whatIf": "each-free" }))?;
         let rows = in_threads(&scene, &json!({ "whatIf": "each-free" }), 1)?;
         let known: Vec<Known> = rows.iter().map(|row| Known::of(row, &options)).collect();
-        let is_column = |one: &Obstacle| matches!(one, Obstacle::Rectangle { id: Some(id), .. } if id.starts_with("column"));
-        let columns: Vec<usize> =
-            (0..scene.obstacles.len()).filter(|&at| is_column(&scene.obstacles[at])).collect();
+        let is_column = |one: &Obstacle| match one {
+            Obstacle::Rectangle { id, .. } => id.as_ref().is_some_and(|id| id.starts_with("column")),
+            _ => false,
+        };
+        let places = 0..scene.obstacles.len();
+        let columns: Vec<usize> = places.filter(|&at| is_column(&scene.obstacles[at])).collect();
         let each = (columns.len() / 4).max(1);
         for (k, &at) in columns.iter().step_by(each).enumerate() {
             let mut after = scene.clone();

@@ -15,8 +15,9 @@ use crate::scenario::resolve::{Geometry, Shape};
 use crate::scenario::{Scenario, Slot};
 use crate::vehicle::Vehicle;
 
-/// A body that comes this near to what changed is touched, metres: what it moves between two swept poses.
-const NEAR: f64 = 0.75;
+/// A body that comes this near to what changed is touched, metres. On the way it is a quarter of a metre from a swept
+/// pose at most, and its corners move one and a half times as far as its axle on the tightest arcs.
+const NEAR: f64 = 0.45;
 
 /// A border that far outside the floor is near nothing, metres.
 const RIM: f64 = 100.0;

@@ -9,8 +9,11 @@ import { Helper } from "./job-client";
 import { workersHere } from "./worker-count";
 import { nth } from "../scene/nth";
 
-/** From a path to something changed: within it, another path may be better. Metres. */
-const REACH = 0.5;
+/**
+ * From a swept pose to something changed, metres. The body is a quarter of a metre from such a pose at most, and its
+ * corners move one and a half times as far as its axle on the tightest arcs.
+ */
+const REACH = 0.45;
 /** From the place that blocks a way to something changed, metres. */
 const BLOCKING = 4;
 /** Answers are told together: the table and the maps draw once for many. */
