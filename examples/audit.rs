@@ -1,6 +1,6 @@
 //! Audits of drawn lots: how long they take, what they find, and the standards' smallest bays and aisles.
 //!
-//! `cargo run --release --example audit -- lots [FROM TO] [threads]`, `… -- presets [threads] [ID]`,
+//! `cargo run --release --example audit -- lots [FROM TO] [threads] [ROWS BAYS]`, `… -- presets [threads] [ID]`,
 //! `… -- goals [seeds] [threads] [BAYS]`, `… -- moves [FROM TO]`, `… -- standards`
 
 use std::ops::ControlFlow;
@@ -40,11 +40,11 @@ fn main() -> Result<(), Error> {
         }
         _ => {
             for seed in number(1, 1)..number(2, 11) {
-                report(
-                    &format!("seed {seed}"),
-                    &Lot::from_json(&json!({ "seed": seed }))?,
-                    number(3, 2) as usize,
-                )?;
+                let mut fields = json!({ "seed": seed });
+                if let (rows @ 1.., bays @ 1..) = (number(4, 0), number(5, 0)) {
+                    (fields["rows"], fields["bays"]) = (rows.into(), bays.into());
+                }
+                report(&format!("seed {seed}"), &Lot::from_json(&fields)?, number(3, 2) as usize)?;
             }
         }
     }
