@@ -148,7 +148,7 @@ impl Auditor {
 
 /// What an auditor depends on besides the vehicles.
 fn key(scene: &Scenario, options: &Options) -> String {
-    format!("{}{}", serde_json::json!(scene), serde_json::json!(options.settings))
+    serde_json::json!([scene, options.settings]).to_string()
 }
 
 /// The name of a bay: its id, or its number from 1.

@@ -7,7 +7,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::obstacle_heuristic::{Flood, Room};
+use super::flood::{Flood, Room};
 use crate::map::Cell;
 
 /// Floods that several planners share, from ways in and out of each of two entrances: those of the scene and of one
@@ -80,10 +80,8 @@ impl FloodMemory {
 
 #[cfg(all(test, feature = "complete"))]
 mod tests {
-    use super::super::obstacle_heuristic::ObstacleHeuristic;
     use super::*;
-    use crate::geometry::{Point, Pose};
-    use crate::vehicle::Vehicle;
+    use crate::geometry::Point;
     use crate::vehicle::collision::{Obstacles, Solid};
 
     fn rectangle(x: f64, y: f64, w: f64, h: f64) -> Vec<Point> {
@@ -103,18 +101,18 @@ mod tests {
     fn what_is_derived_from_other_obstacles_is_what_is_made_anew() {
         let memory = FloodMemory::shared();
         let original = Arc::new(row(&[]));
-        for (margin, target) in [(0.1, Pose::new(2.0, 3.0, 0.0)), (0.002, Pose::new(29.0, 12.5, 1.0))] {
+        let same = |obstacles: &Obstacles, radius: f64, source: Cell| {
+            let room = Room { obstacles, radius };
+            let made = Flood::new(room.ground().into(), Some(source));
+            let derived = memory.flood(&room, Some(source));
+            assert_eq!(made.ground.costs, derived.ground.costs);
+            assert_eq!(made.steps, derived.steps);
+        };
+        for (radius, source) in [(1.0, Cell::new(9, 13)), (0.902, Cell::new(117, 51))] {
             for missing in [&[5][..], &[0], &[11, 2], &[]] {
-                let variant = row(missing).variant_of(&original);
-                let made = ObstacleHeuristic::new(&variant, &Vehicle::SEDAN, target, margin, None);
-                let derived =
-                    ObstacleHeuristic::new(&variant, &Vehicle::SEDAN, target, margin, Some(&memory));
-                assert_eq!(made.tables(), derived.tables(), "{margin} {missing:?}");
+                same(&row(missing).variant_of(&original), radius, source);
             }
-            let fuller = row(&[]).variant_of(&Arc::new(row(&[4])));
-            let made = ObstacleHeuristic::new(&fuller, &Vehicle::SEDAN, target, margin, None);
-            let derived = ObstacleHeuristic::new(&fuller, &Vehicle::SEDAN, target, margin, Some(&memory));
-            assert_eq!(made.tables(), derived.tables());
+            same(&row(&[]).variant_of(&Arc::new(row(&[4]))), radius, source);
         }
     }
 
@@ -126,7 +124,7 @@ mod tests {
         let first = memory.flood(&room, cell(0));
         for k in 1..=SHARED {
             let known = memory.flood(&room, cell(0));
-            assert!(Arc::ptr_eq(&first.steps, &known.steps), "{k}");
+            assert!(Arc::ptr_eq(&first.steps, &known.steps));
             memory.flood(&room, cell(k));
         }
         for k in 2..=SHARED {

@@ -30,6 +30,7 @@ mod choices;
 mod config;
 mod cost;
 mod domain;
+mod flood;
 mod flood_memory;
 #[cfg(feature = "complete")]
 mod goals;

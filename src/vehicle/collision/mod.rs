@@ -41,7 +41,7 @@ mod variant;
 pub use checker::CollisionChecker;
 #[cfg(feature = "complete")]
 pub use corridor::Corridor;
+#[cfg(feature = "complete")]
+pub use obstacles::Original;
 pub use obstacles::{Edge, Obstacles, Solid};
 pub use reach::{Reach, Sampling};
-#[cfg(feature = "complete")]
-pub use variant::Original;

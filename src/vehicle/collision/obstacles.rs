@@ -4,8 +4,6 @@
 //! edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in constant
 //! time. Coordinates are local: the origin is the boundary's lower left corner.
 
-#[cfg(feature = "complete")]
-use super::variant::Original;
 use crate::geometry::polygon::{contains, nearest_share};
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::map::{Frame, Layer, Occupancy, WeightMap, distance, raster};
@@ -79,6 +77,19 @@ pub struct Obstacles {
     /// Other obstacles, of which these are a variant.
     #[cfg(feature = "complete")]
     pub(super) original: Option<Original>,
+}
+
+/// The obstacles of which others are a variant.
+#[cfg(feature = "complete")]
+#[derive(Debug)]
+pub struct Original {
+    /// They have the same lattice.
+    pub obstacles: std::sync::Arc<Obstacles>,
+    /// The lower left and the upper right corner of a box around all edges that only one of the two has, local
+    /// coordinates, metres. Without such edges the box is empty: its corners are infinite and the wrong way round.
+    pub change: (Point, Point),
+    /// True if the variant has no edge that the original lacks.
+    pub is_freer: bool,
 }
 
 impl Obstacles {

@@ -3,20 +3,7 @@
 use std::sync::Arc;
 
 use super::Obstacles;
-use super::obstacles::{Edge, bounds};
-use crate::geometry::Point;
-
-/// The obstacles of which others are a variant.
-#[derive(Debug)]
-pub struct Original {
-    /// They have the same lattice.
-    pub obstacles: Arc<Obstacles>,
-    /// The lower left and the upper right corner of a box around all edges that only one of the two has, local
-    /// coordinates, metres. Without such edges the box is empty: its corners are infinite and the wrong way round.
-    pub change: (Point, Point),
-    /// True if the variant has no edge that the original lacks.
-    pub is_freer: bool,
-}
+use super::obstacles::{Edge, Original, bounds};
 
 impl Obstacles {
     /// The same obstacles, which are known from now on as a variant of others. Nothing changes where the two differ in
