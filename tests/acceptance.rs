@@ -1,5 +1,5 @@
 //! What the grid planners promise over many seeded maps, as figures, items 1 to 10:
-//! `cargo test --release --test golden --test acceptance -- --nocapture`. Item 1, the golden vectors, is `golden/`.
+//! `cargo test --release --test all -- golden acceptance --nocapture`. Item 1, the golden vectors, is `golden/`.
 //!
 //! 200 maps per row natively, fewer in wasm, where the same numbers come out of the same code.
 

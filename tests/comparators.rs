@@ -1,5 +1,4 @@
 //! Planners to compare with: Dijkstra's search, greedy best-first search, RRT and a genetic algorithm.
-#![cfg(feature = "complete")]
 
 use parkade::map::{Cell, Corner, Occupancy, line_of_sight};
 use parkade::planners::dijkstra_greedy::{self, dijkstra, greedy};

@@ -1,8 +1,6 @@
 //! Cells that cost more: the cheapest paths against an oracle, what comes after the search, every planner's use of
 //! them.
 
-mod random_maps;
-
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -25,7 +23,7 @@ const CORNERS: [Corner; 3] = [Corner::Strict, Corner::NoSqueeze, Corner::Free];
 
 /// A map with cells blocked and painted at random, start and goal free.
 fn random_map(random: &mut SplitMix64) -> (Occupancy, Cell, Cell) {
-    let (map, start, goal) = random_maps::random_map(random, [2, 18], 35);
+    let (map, start, goal) = crate::random_maps::random_map(random, [2, 18], 35);
     let (width, height) = (map.width(), map.height());
     let mut weights = Weights::new(width, height);
     for _ in 0..random.below(30) {

@@ -1,10 +1,9 @@
 //! Grid planners against oracles that are too simple to be wrong.
 
-mod random_maps;
-
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use crate::random_maps::random_map;
 use parkade::map::{Bits, Cell, Corner, Occupancy, line_of_sight};
 use parkade::metrics::grid::length;
 use parkade::planners::grid_astar::{self, Config};
@@ -19,7 +18,6 @@ use parkade::post::SmoothMode;
 use parkade::post::{prune, prune_dp, smooth};
 use parkade::scenario::generate::SplitMix64;
 use parkade::search::{Stop, Trace};
-use random_maps::random_map;
 
 /// The least and the additional cells of a random map's sides.
 const SIDES: [u32; 2] = [1, 24];

@@ -1,5 +1,4 @@
 //! A module may use only modules before it in the list of the crate's documentation; `search` uses only `error`.
-#![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

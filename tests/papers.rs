@@ -1,5 +1,4 @@
 //! Published tables, computed again: what is printed, what is flagged, and slices that add up.
-#![cfg(feature = "complete")]
 
 use parkade::papers::grid::{COLUMNS, PLANNERS, ROWS, Row, WIDTH, measure, row, summary};
 use parkade::papers::{claims, road};

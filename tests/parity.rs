@@ -1,9 +1,6 @@
 //! Every planner's plan on every preset has the hash in `data/plan-hashes.json`, here natively and in wasm; the same
 //! file is held by the tests of the built package in Node and of the page in a browser.
 
-#[cfg(feature = "complete")]
-mod random_scenes;
-
 use parkade::plan::{Options, Planner};
 use parkade::scenario::catalog;
 use serde_json::{Map, Value};
@@ -31,13 +28,12 @@ fn plans_have_the_same_hash_everywhere() {
     }
 }
 
-#[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn random_scenes_are_answered_the_same_everywhere() {
     let expected: Vec<String> = serde_json::from_str(include_str!("data/random-scene-hashes.json")).unwrap();
     assert_eq!(expected.len(), 40);
     for (seed, hash) in (0..).zip(expected) {
-        assert_eq!(random_scenes::plan(seed).hash(), hash, "seed {seed}");
+        assert_eq!(crate::random_scenes::plan(seed).hash(), hash, "seed {seed}");
     }
 }

@@ -1,11 +1,9 @@
 //! Rasters and distances against oracles that are too simple to be wrong.
 
-mod random_maps;
-
+use crate::random_maps::random_map;
 use parkade::geometry::Point;
 use parkade::map::{Cell, Frame, Occupancy, distance, inflation, raster};
 use parkade::scenario::generate::SplitMix64;
-use random_maps::random_map;
 
 /// The least and the additional cells of a random map's sides.
 const SIDES: [u32; 2] = [1, 24];

@@ -1,10 +1,9 @@
 //! Recorded searches against the planners' own events, and against a plain open list that is looked through.
 
-mod random_maps;
-mod recordings;
-
 use std::collections::BTreeMap;
 
+use crate::random_maps::random_map;
+use crate::recordings::{follows_the_rules, offers};
 use parkade::map::{Bits, Cell, Corner, Occupancy, line_of_sight};
 use parkade::planners::moves::Neighbourhood;
 use parkade::planners::query::{GridReport, GridScratch, Query};
@@ -13,8 +12,6 @@ use parkade::planners::settings::Common;
 use parkade::planners::{any_angle, bidirectional, dijkstra_greedy, grid_astar, jump_point, risk_field};
 use parkade::scenario::generate::SplitMix64;
 use parkade::search::{BACKWARD, Fate, Observer, PAST, Recording, StepKind, Stop};
-use random_maps::random_map;
-use recordings::{follows_the_rules, offers};
 
 const MAPS: u64 = 100;
 /// The least and the additional cells of a random map's sides.

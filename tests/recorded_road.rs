@@ -1,14 +1,12 @@
 //! Cost-map A*'s recorded searches against its own trace and counters, and g and h reckoned anew from the cells.
 
-mod recordings;
-
 use std::collections::BTreeMap;
 
+use crate::recordings::{follows_the_rules, offers};
 use parkade::plan::{LayerData, Options, Plan, PlanTrace, Planner, Recorded};
 use parkade::scenario::Scenario;
 use parkade::scenario::generate::SplitMix64;
 use parkade::search::{Fate, Recording};
-use recordings::{follows_the_rules, offers};
 use serde_json::{Value, json};
 
 const SCENES: u64 = 100;

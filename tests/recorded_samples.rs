@@ -1,8 +1,7 @@
 //! Recordings of the planners without an open list, RRT and the genetic algorithm, against their own events and the
 //! map.
 
-mod random_maps;
-
+use crate::random_maps::random_map;
 use parkade::map::{Cell, Occupancy, line_of_sight};
 use parkade::planners::moves::cost;
 use parkade::planners::query::{GridScratch, Query};
@@ -10,7 +9,6 @@ use parkade::planners::settings::Common;
 use parkade::planners::{Outcome, genetic, rrt};
 use parkade::scenario::generate::SplitMix64;
 use parkade::search::{Fate, Observer, Recording, StepKind};
-use random_maps::random_map;
 
 const MAPS: u64 = 100;
 const EXPANSIONS: u32 = 400;

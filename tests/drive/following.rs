@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use parkade::drive::{Controller, Limits, Profile, Steps, Tracking, track};
 use parkade::metrics::Body;
 
-use crate::row::{CAR, Row, rows};
+use super::row::{CAR, Row, rows};
 
 pub(crate) fn follow(row: &Row, limits: &Limits, controller: Controller) -> Tracking {
     track(&CAR, &Body::new(&row.geometry), &row.route, limits, controller).unwrap()

@@ -12,7 +12,7 @@ use parkade::geometry::{Pose, math};
 use parkade::vehicle::Vehicle;
 use serde_json::{Value, json};
 
-use crate::row::{CAR, Row, drive, rows};
+use super::row::{CAR, Row, drive, rows};
 
 /// What every trajectory keeps.
 fn sound(row: &Row, limits: &Limits, driven: &Trajectory) {

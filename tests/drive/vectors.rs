@@ -8,8 +8,8 @@ use parkade::geometry::Pose;
 use parkade::scenario::catalog;
 use serde_json::Value;
 
-use crate::following::follow;
-use crate::row::{CAR, ROWS, Row, drive, meet};
+use super::following::follow;
+use super::row::{CAR, ROWS, Row, drive, meet};
 
 #[test]
 fn every_byte_is_the_same_everywhere() {

@@ -7,7 +7,7 @@ use parkade::drive::{Ending, Mover, Route, Rule, Scope, WaitOptions};
 use parkade::geometry::Pose;
 use parkade::scenario::MovingObstacle;
 
-use crate::row::{CAR, Row, crossing, meet, row};
+use super::row::{CAR, Row, crossing, meet, row};
 
 #[test]
 fn the_papers_figure_needs_no_wait() {

@@ -5,7 +5,7 @@ use parkade::plan::{Ends, Options, Plan, Planner, Prefer};
 use parkade::scenario::{GoalPose, Scenario};
 use serde_json::{Map, json};
 
-use crate::lots::{Random, lot};
+use super::lots::{Random, lot};
 
 /// Twenty plans a lot take their time without optimization.
 const LOTS: u64 = if cfg!(debug_assertions) { 20 } else { 100 };

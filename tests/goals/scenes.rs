@@ -5,7 +5,7 @@ use parkade::plan::{Ends, Options, Planner};
 use parkade::scenario::{Goal, Scenario};
 use serde_json::{Map, Value, json};
 
-use crate::lots::lot;
+use super::lots::lot;
 
 fn with_goal(goal: &Value) -> Result<Scenario, String> {
     let mut scene = serde_json::to_value(lot(1, 5)).unwrap();

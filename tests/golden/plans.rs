@@ -56,7 +56,6 @@ fn plans_report_the_golden_figures() {
 }
 
 /// What only some planners count.
-#[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn plans_count_what_was_rejected_and_scanned() {
@@ -98,7 +97,6 @@ fn plans_count_what_was_rejected_and_scanned() {
 }
 
 /// The planner's own defaults, not only its list of them.
-#[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn risk_field_plus_plans_with_its_own_settings() {
@@ -114,7 +112,6 @@ fn risk_field_plus_plans_with_its_own_settings() {
     }
 }
 
-#[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn estimates_are_equations_10_to_12() {
@@ -148,7 +145,6 @@ fn estimates_are_equations_10_to_12() {
 }
 
 /// Regions by angles instead of products, and candidates by what a single expansion generates.
-#[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn explanations_are_the_papers_tables() {

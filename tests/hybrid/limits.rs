@@ -4,7 +4,7 @@ use parkade::geometry::arcs;
 use parkade::planners::Obstruction;
 use parkade::planners::hybrid::{Config, Report, SearchFrom, Status};
 
-use crate::lot::Lot;
+use super::lot::Lot;
 
 /// A corridor of so many metres, hardly wider than the car, behind a yard with a block in the middle of the way. From
 /// before the block, connections are free down to the block: each takes thousands of checks for nothing.

@@ -9,8 +9,8 @@ use parkade::scenario::{Goal, catalog};
 use parkade::vehicle::Vehicle;
 use serde_json::json;
 
-use crate::lot::Lot;
-use crate::rows::MUST_REACH;
+use super::lot::Lot;
+use super::rows::MUST_REACH;
 
 /// Figure 7 of the parking paper: the range of steering angles is divided evenly.
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

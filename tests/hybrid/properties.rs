@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use parkade::geometry::{Pose, arcs, math, reeds_shepp};
 use parkade::planners::hybrid::{Config, Last, Query, Report, Scratch, Status, stay};
 
-use crate::lot::{CAR, Lot, pose, random, random_scenes};
+use super::lot::{CAR, Lot, pose, random, random_scenes};
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]

@@ -7,7 +7,7 @@ use parkade::planners::hybrid::{Config, Query, Scratch, SearchFrom, Status, plan
 use parkade::vehicle::Vehicle;
 use parkade::vehicle::collision::{Edge, Obstacles, Solid};
 
-use crate::lot::{BORDER, CAR, Lot, pose};
+use super::lot::{BORDER, CAR, Lot, pose};
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]

@@ -8,7 +8,7 @@ use parkade::planners::hybrid::{Config, Profile, Status};
 use parkade::scenario::catalog;
 use serde_json::Map;
 
-use crate::lot::{Lot, ROWS, pose, random_scenes};
+use super::lot::{Lot, ROWS, pose, random_scenes};
 
 fn shortest() -> Config {
     Config { profile: Profile::Shortest, ..Config::default() }

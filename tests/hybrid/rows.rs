@@ -2,7 +2,7 @@
 
 use parkade::planners::hybrid::{Config, Profile, SearchFrom};
 
-use crate::lot::Lot;
+use super::lot::Lot;
 
 /// Reeds–Shepp bound, and what must be reached: metres, direction changes.
 pub(super) const MUST_REACH: [(&str, f64, f64, u32); 10] = [
@@ -39,7 +39,6 @@ fn the_papers_rows_are_reached_from_the_start_too() {
     }
 }
 
-#[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn two_trees_reach_the_papers_rows() {
@@ -53,7 +52,6 @@ fn two_trees_reach_the_papers_rows() {
     assert!(report.arcs.is_empty(), "{:?}", report.status);
 }
 
-#[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn the_classic_planner_is_as_poor_as_its_forerunner() {

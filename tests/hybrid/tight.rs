@@ -9,7 +9,7 @@ use parkade::planners::hybrid::{Query, Scratch, plan};
 #[cfg(not(target_arch = "wasm32"))]
 use parkade::vehicle::Vehicle;
 
-use crate::lot::Lot;
+use super::lot::Lot;
 #[cfg(not(target_arch = "wasm32"))]
 use crate::tight_scenes::{Scene, bay, cluttered, corner, kerb};
 
@@ -102,7 +102,7 @@ fn generated_slots_are_entered_and_left_and_corners_are_passed_or_proven_too_nar
 }
 
 /// Each gear change gains less than a cell of the coarser lattices in these slots.
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn the_tightest_slots_are_entered_with_three_centimetres() {
     for seed in [29, 7202, 9123] {
@@ -116,7 +116,7 @@ fn the_tightest_slots_are_entered_with_three_centimetres() {
 }
 
 /// The first lattice that gets out of a slot takes 22 gear changes where a shorter slot takes 18.
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn a_longer_slot_takes_hardly_more_gear_changes() {
     let mut fewest: Vec<(f64, u32)> = Vec::new();
@@ -134,7 +134,7 @@ fn a_longer_slot_takes_hardly_more_gear_changes() {
 }
 
 /// With 10 cm of margin the car rocks five to ten times here, with 3 cm it drives in with two to four gear changes.
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn margin_is_given_up_where_that_saves_many_gear_changes() {
     for seed in [97005, 97009, 97022, 97033] {
@@ -152,7 +152,7 @@ fn margin_is_given_up_where_that_saves_many_gear_changes() {
 }
 
 /// From the end that is hard to leave these take five to ten times as many expansions.
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn ways_that_show_from_the_other_end_are_found() {
     let width = (Vehicle::SEDAN.width + 0.4, Vehicle::SEDAN.width + 2.8);
@@ -165,7 +165,7 @@ fn ways_that_show_from_the_other_end_are_found() {
 }
 
 /// Lattices of single arcs lose their place in these bays.
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn bays_are_entered_by_rocking() {
     for seed in [41, 81] {
@@ -185,11 +185,11 @@ fn bays_are_entered_by_rocking() {
 }
 
 /// Of the best of six public programs, by case.
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 const FEWEST_CHANGES: [(u32, u32); 9] =
     [(1, 2), (3, 1), (5, 0), (9, 1), (11, 0), (13, 2), (15, 1), (17, 0), (19, 2)];
 
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn every_competition_case_is_solved_with_hardly_more_gear_changes_than_known() {
     use parkade::metrics::Verdict;
@@ -218,7 +218,7 @@ fn every_competition_case_is_solved_with_hardly_more_gear_changes_than_known() {
 
 /// With prices of their own, and with less margin, no answer costs more by the asked measure than the usual path does.
 /// In the garage of seed 302 an obstacle cost of 5 left the search without a path.
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn prices_and_less_margin_cost_no_more_than_the_usual_path() {
     use crate::freedom::{MARGINS, PRICES, Pair, Question};
@@ -246,7 +246,7 @@ fn prices_and_less_margin_cost_no_more_than_the_usual_path() {
 }
 
 /// Fine lattices from either end, with a centimetre, find two gear changes where others find three or four.
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn the_fewest_gear_changes_are_found_by_creeping_too() {
     use parkade::planners::hybrid::{Prefer, Report, choices};

@@ -6,7 +6,7 @@ use parkade::geometry::{Pose, math};
 use parkade::planners::hybrid::{Config, Query, Report, Scratch, SearchFrom, Status, plan};
 use parkade::planners::{Obstruction, Region};
 
-use crate::lot::{BORDER, CAR, Lot, pose};
+use super::lot::{BORDER, CAR, Lot, pose};
 
 /// As [`Lot::plan`], with the trace.
 fn traced(lot: &Lot, config: &Config) -> Report {
@@ -73,7 +73,6 @@ fn failed_connections_lead_from_the_tree_to_what_they_hit() {
     }
 }
 
-#[cfg(feature = "complete")]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn two_trees_show_their_failed_connections() {

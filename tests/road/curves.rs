@@ -12,7 +12,7 @@ use parkade::planners::cost_map::{Config, Report, Smooth, Smoothing, smooth};
 use parkade::scenario::catalog;
 use serde_json::json;
 
-use crate::{IDS, Scene};
+use super::{IDS, Scene};
 
 /// The car's rear axle at points of its middle.
 fn poses(points: &[Point]) -> Vec<Pose> {

@@ -10,7 +10,7 @@ use parkade::plan::{Options, Outcome, Planner};
 use parkade::scenario::{Scenario, catalog};
 use serde_json::json;
 
-use crate::{IDS, planned};
+use super::{IDS, planned};
 
 #[test]
 fn speeds_keep_to_limits_and_a_car_can_follow() {

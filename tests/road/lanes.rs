@@ -9,8 +9,8 @@ use parkade::plan::{Detail, Options, Outcome, Plan, Planner};
 use parkade::scenario::{Scenario, catalog};
 use serde_json::{Value, json};
 
-use crate::random_roads::road;
-use crate::{IDS, plain};
+use super::random_roads::road;
+use super::{IDS, plain};
 
 fn plan(scene: &Scenario, settings: &Value) -> Plan {
     let mut planner = Planner::new("cost-map", scene, settings.as_object().unwrap()).unwrap();

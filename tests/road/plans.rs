@@ -14,7 +14,7 @@ use parkade::planners::registry::{Family, planners};
 use parkade::scenario::catalog;
 use serde_json::{Map, json};
 
-use crate::{IDS, plain, planned};
+use super::{IDS, plain, planned};
 
 #[test]
 fn plans_keep_what_the_table_promises() {

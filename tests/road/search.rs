@@ -10,7 +10,7 @@ use parkade::planners::cost_map::{Base, Config, Costs, Pruning, corners};
 use parkade::scenario::{Scenario, catalog};
 use serde_json::json;
 
-use crate::{IDS, Scene, length, sound};
+use super::{IDS, Scene, length, sound};
 
 #[test]
 fn plain_paths_are_as_long_as_measured() {

@@ -11,7 +11,7 @@ const MODULES: [(&str, &[&str]); 4] = [
     ("geometry", &["src/geometry/**"]),
     ("search", &["src/search/**"]),
     ("collision", &["src/vehicle/collision/**"]),
-    ("curves", &["src/drive/scurve.rs", "src/post/smooth.rs"]),
+    ("curves", &["src/drive/jerk_limited.rs", "src/post/smooth.rs"]),
 ];
 
 /// Changes one module, or all; further arguments go to cargo-mutants. Fails where a change is missed.

@@ -56,7 +56,7 @@ const SUITES: &[Suite] = &[
     }),
     suite("lint, wheel", Needs::Sources, || check(python::lint_native())),
     suite("lint, documentation", Needs::Sources, rustdoc),
-    suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--test", "*"])),
+    suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--test", "all"])),
     suite("Rust, native", Needs::Sources, || rust_tests(&["--lib", "--tests"])),
     suite("Rust, examples of the documentation", Needs::Sources, || rust_tests(&["--doc"])),
     suite("Rust, tool", Needs::Sources, || rust_tests(TOOL)),

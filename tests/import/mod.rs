@@ -1,5 +1,4 @@
 //! Maps of other programs: what they say is what the scene says, and no file, however broken, does worse than an error.
-#![cfg(feature = "complete")]
 
 use parkade::error::ErrorCode;
 use parkade::geometry::Point;

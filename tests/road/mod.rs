@@ -1,5 +1,4 @@
 //! Roads: the search and its chords, curves, plans, drives and drawn roads.
-#![cfg(feature = "complete")]
 
 mod curves;
 mod driving;
