@@ -40,6 +40,15 @@
 //!
 //! The cargo feature `complete`, on by default, holds what the page does not need for its first picture.
 
+#![cfg_attr(
+    not(feature = "complete"),
+    expect(
+        dead_code,
+        unused_imports,
+        reason = "the linker drops what the first picture's module does not reach"
+    )
+)]
+
 // First: the others use its macro.
 #[macro_use]
 pub mod error;

@@ -54,7 +54,6 @@ fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) {
 fn code_of(text: &str) -> String {
     let lines: Vec<&str> = text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect();
     let text = lines.join("\n");
-    let text = text.replace("#[cfg(all(test, feature = \"complete\"))]", "#[cfg(test)]");
     let mut code = String::new();
     let mut rest = text.as_str();
     while let Some(at) = rest.find("#[cfg(test)]\nmod ") {

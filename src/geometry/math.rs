@@ -55,7 +55,6 @@ pub fn sorted_by<T: Copy>(items: &[T], key: impl Fn(&T) -> f64) -> Vec<T> {
 }
 
 /// The index of the least of some numbers, the first of several; 0 where there are none.
-#[cfg(feature = "complete")]
 pub fn argmin(values: &[f64]) -> usize {
     let mut least = 0;
     for (i, &value) in values.iter().enumerate() {

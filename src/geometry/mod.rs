@@ -10,13 +10,11 @@
 //!   platforms in the last bit, which would change plans.
 
 pub mod arcs;
-#[cfg(feature = "complete")]
 pub mod bspline;
 pub mod math;
 pub(crate) mod polygon;
 mod pose;
 pub mod reeds_shepp;
-#[cfg(feature = "complete")]
 pub mod smoothing_spline;
 
 pub use pose::Pose;

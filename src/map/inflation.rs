@@ -49,7 +49,6 @@ pub fn layer(map: &Occupancy, inflated: &Occupancy) -> Layer<u8> {
 }
 
 /// Each cell's [`Safety`] as a number, from the map, its inflated form and the form with redundant cells closed, too.
-#[cfg(feature = "complete")]
 pub fn layers(map: &Occupancy, inflated: &Occupancy, closed: &Occupancy) -> Layer<u8> {
     let mut layer = layer(map, inflated);
     for (index, value) in layer.data.iter_mut().enumerate() {
@@ -61,7 +60,6 @@ pub fn layers(map: &Occupancy, inflated: &Occupancy, closed: &Occupancy) -> Laye
 }
 
 /// Brings the inflated form, and its bits, up to date after `changed` was blocked or freed in `map`.
-#[cfg(feature = "complete")]
 pub fn update(
     map: &Occupancy,
     inflated: &mut Occupancy,

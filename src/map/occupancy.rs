@@ -65,7 +65,6 @@ impl Occupancy {
     }
 
     /// A map of blocked cells.
-    #[cfg(feature = "complete")]
     pub fn blocked_everywhere(width: u32, height: u32) -> Self {
         let mut map = Self::new(width, height);
         map.rimmed.fill(1);

@@ -162,7 +162,6 @@ impl<'a> PotentialField<'a> {
     /// The potentials at a cell, of the goal (Hu et al. 2024, eq 4) and of the obstacles (eq 6):
     /// [`PotentialField::attraction`] and [`PotentialField::repulsion`] are their slopes, downwards. Blocked cells have
     /// the potential of a cell beside them, 1 away.
-    #[cfg(feature = "complete")]
     pub fn potentials(&self, at: Cell) -> (f64, f64) {
         let FieldSettings { k1, k2, rho0, .. } = self.settings;
         let (x, y) = (f64::from(self.goal.x - at.x), f64::from(self.goal.y - at.y));
@@ -189,7 +188,6 @@ impl<'a> PotentialField<'a> {
     }
 
     /// The sum of both potentials at every cell.
-    #[cfg(feature = "complete")]
     pub fn potential_layer(&self) -> Layer<f32> {
         let mut layer = Layer::filled(self.map.width(), self.map.height(), 0.0);
         for (index, value) in (0..).zip(&mut layer.data) {
@@ -307,7 +305,6 @@ mod tests {
 
     /// Equations 5 and 7 are the slopes of 4 and 6: exact differences of the goal's, a sum of small steps of the
     /// obstacles'.
-    #[cfg(feature = "complete")]
     #[test]
     fn forces_are_the_slopes_of_the_potentials() {
         let map = Occupancy::parse("..........\n..........\n#.........\n..........");

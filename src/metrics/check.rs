@@ -13,7 +13,6 @@
 //! Motion is summed over short steps until it exceeds rounding, so the verdict does not depend on how finely a path
 //! is sampled.
 
-#[cfg(feature = "complete")]
 use super::Narrowest;
 use super::{Body, FAR};
 use crate::geometry::{Pose, math};
@@ -85,7 +84,6 @@ pub struct Check {
     /// Per pose: distance from the body to the nearest obstacle, metres.
     pub clearances: Vec<f64>,
     /// The pose with the least clearance; `None` if the body overlaps an obstacle.
-    #[cfg(feature = "complete")]
     pub narrowest: Option<Narrowest>,
 }
 
@@ -148,7 +146,6 @@ fn empty() -> Check {
         min_clearance: 0.0,
         mean_clearance: 0.0,
         clearances: Vec::new(),
-        #[cfg(feature = "complete")]
         narrowest: None,
     }
 }

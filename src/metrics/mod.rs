@@ -8,26 +8,19 @@
 //! answers distance queries about one pose; the figures describe and never decide. Everything is computed from the
 //! resolved scene and the path alone, so figures of paths by different planners are comparable.
 
-#[cfg(feature = "complete")]
 mod any_angle;
 pub mod check;
 mod footprint_distance;
 pub mod grid;
-#[cfg(feature = "complete")]
 mod narrowest;
 mod outlines;
 #[cfg(feature = "complete")]
 pub mod risk;
-#[cfg(feature = "complete")]
 pub mod road;
-#[cfg(feature = "complete")]
 mod signed_distance;
 
-#[cfg(feature = "complete")]
 pub use any_angle::any_angle_length;
 pub use check::{Check, Verdict, check};
 pub use footprint_distance::{Body, FAR};
-#[cfg(feature = "complete")]
 pub use narrowest::Narrowest;
-#[cfg(feature = "complete")]
 pub(crate) use outlines::gap;

@@ -53,7 +53,6 @@ pub(super) fn squared_apart(a: Point, b: Point, c: Point, d: Point) -> f64 {
 }
 
 /// Distance between two closed outlines, metres; 0 where they overlap.
-#[cfg(feature = "complete")]
 pub(crate) fn gap(a: &[Point], b: &[Point]) -> f64 {
     if inside(a, b[0]) || inside(b, a[0]) {
         return 0.0;
@@ -68,7 +67,7 @@ pub(crate) fn gap(a: &[Point], b: &[Point]) -> f64 {
     })
 }
 
-#[cfg(all(test, feature = "complete"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 

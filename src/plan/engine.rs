@@ -12,7 +12,6 @@ use super::choices::Wish;
 use super::outcome::Plan;
 use super::world::World;
 use crate::scenario::Scenario;
-#[cfg(feature = "complete")]
 use crate::search::ExpansionCallback;
 use crate::search::{Progress, Trace, Watch};
 #[cfg(feature = "complete")]
@@ -31,9 +30,7 @@ pub(super) struct Ask<'a> {
     pub(super) is_traced: bool,
     pub(super) progress: Option<Progress<'a>>,
     /// Steps of the search to write down.
-    #[cfg(feature = "complete")]
     pub(super) record: Option<usize>,
-    #[cfg(feature = "complete")]
     pub(super) expansions: Option<ExpansionCallback<'a>>,
     #[cfg(feature = "complete")]
     pub(super) wish: Wish<'a>,

@@ -21,23 +21,19 @@ use super::outcome::Recorded;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::path_sampling;
 use super::rasters::Rasters;
-#[cfg(feature = "complete")]
 use super::stages::Stages;
 use super::world::World;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 use crate::map::Cell;
 use crate::map::risk::PotentialField;
-#[cfg(feature = "complete")]
 use crate::metrics::any_angle_length;
 use crate::metrics::grid as cells;
-#[cfg(feature = "complete")]
 use crate::planners::Detail;
 use crate::planners::Obstruction;
 use crate::planners::grid_planner::GridPlanner;
 use crate::planners::query::{GridReport, GridScratch};
 use crate::planners::registry::PlannerId;
-#[cfg(feature = "complete")]
 use crate::planners::risk_field;
 use crate::planners::settings::{Common, Inflation, Post};
 use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};

@@ -15,7 +15,6 @@ use super::outcome::{Plan, PlanTrace};
 use super::path::MAX_LENGTH;
 use super::world::World;
 use crate::error::{Error, ErrorCode};
-#[cfg(feature = "complete")]
 use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::metrics::Verdict;
@@ -24,7 +23,6 @@ use crate::planners::hybrid::plan;
 #[cfg(feature = "complete")]
 use crate::planners::hybrid::{self, FloodMemory, Last, Prefer, goal_of, plan_any, stay, with_room};
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
-#[cfg(feature = "complete")]
 use crate::planners::registry::PlannerId;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
@@ -32,11 +30,9 @@ use crate::search::Progress;
 use crate::vehicle::collision::Obstacles;
 
 /// More than rounding takes from a clearance, metres.
-#[cfg(feature = "complete")]
 const ROUNDING: f64 = 1e-6;
 /// Hybrid A*, its obstacles and its memory.
 pub(super) struct HybridEngine {
-    #[cfg(feature = "complete")]
     kind: PlannerId,
     /// The path of the last plan that found one.
     #[cfg(feature = "complete")]
@@ -50,13 +46,8 @@ pub(super) struct HybridEngine {
 }
 
 impl HybridEngine {
-    pub(super) fn new(
-        world: &World,
-        #[cfg(feature = "complete")] kind: PlannerId,
-        config: Config,
-    ) -> Result<Self, Error> {
+    pub(super) fn new(world: &World, kind: PlannerId, config: Config) -> Result<Self, Error> {
         Ok(Self {
-            #[cfg(feature = "complete")]
             kind,
             #[cfg(feature = "complete")]
             last: None,

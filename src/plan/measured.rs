@@ -49,7 +49,6 @@ pub(super) fn measured(world: &World, outcome: Outcome, driven: Driven, near: f6
         detail: None,
         reason: None,
         obstruction: None,
-        #[cfg(feature = "complete")]
         goal: None,
         path: poses,
         directions,
@@ -63,9 +62,7 @@ pub(super) fn measured(world: &World, outcome: Outcome, driven: Driven, near: f6
         recorded: None,
         #[cfg(feature = "complete")]
         member: None,
-        #[cfg(feature = "complete")]
         stages: None,
-        #[cfg(feature = "complete")]
         alternatives: Vec::new(),
     }
 }

@@ -8,7 +8,6 @@
 //! The result is always a [`Plan`]. Its [`Outcome`] says whether there is a path; errors are for wrong input only.
 //! Lengths are in metres, headings in radians counter-clockwise from east, poses are the middle of the rear axle.
 
-#[cfg(feature = "complete")]
 mod brush;
 #[cfg(feature = "complete")]
 mod choices;
@@ -31,17 +30,13 @@ mod queries;
 mod rasters;
 #[cfg(feature = "complete")]
 mod road;
-#[cfg(feature = "complete")]
 mod road_curve;
-#[cfg(feature = "complete")]
 mod road_fit;
 #[cfg(not(target_arch = "wasm32"))]
 mod serialize;
 #[cfg(feature = "complete")]
 mod site;
-#[cfg(feature = "complete")]
 mod stages;
-#[cfg(feature = "complete")]
 mod tractrix;
 mod world;
 
@@ -57,7 +52,6 @@ pub use path::check_path;
 pub use path::{collision_risk, drive_envelope, optimise, path_poses, road_figures, route};
 #[cfg(feature = "complete")]
 pub(crate) use site::Site;
-#[cfg(feature = "complete")]
 pub use stages::{Stages, TangentArc};
 
 #[cfg(feature = "complete")]
@@ -72,20 +66,16 @@ use serde_json::{Map, Value};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::planners::registry::{Family, PlannerId, Settings, default_config};
-#[cfg(feature = "complete")]
 use crate::scenario::Goals;
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 use crate::search::Progress;
-#[cfg(feature = "complete")]
 pub use crate::search::{ExpansionCallback, Expansions};
-#[cfg(feature = "complete")]
 use crate::{geometry::Point, planners::risk_field::Explanation};
 use engine::{Ask, Engine};
 use world::World;
 
 /// Steps of a search that are recorded with all they did, where no other number is asked for.
-#[cfg(feature = "complete")]
 pub const RECORDED_STEPS: usize = 100_000;
 /// Expansions of cells from one [`Options::progress`] to the next.
 const CELLS: NonZeroU32 = NonZeroU32::new(1 << 14).unwrap();
@@ -97,7 +87,6 @@ pub struct Options<'a> {
     /// True to keep the search trace.
     pub trace: bool,
     /// Steps of the search to keep with all they did ([`Plan::recorded`]).
-    #[cfg(feature = "complete")]
     pub record: Option<usize>,
     /// Told of the expansions so far each 16 384 cells, or 256 poses of a car, and never of more than
     /// [`Stats::expanded`]. The plan is the same with and without; where it breaks, the search ends as if its budget
@@ -105,17 +94,14 @@ pub struct Options<'a> {
     pub progress: Option<ProgressCallback<'a>>,
     /// Given the expansions of each search that is traced, a few at a time while it runs; only beside `progress`.
     /// Numbers are arcs as in [`PlanTrace::Arcs`].
-    #[cfg(feature = "complete")]
     pub expansions: Option<ExpansionCallback<'a>>,
     /// The preference by which hybrid A* chooses its path; `None` for the default cost.
     #[cfg(feature = "complete")]
     pub prefer: Option<Prefer>,
     /// True if alternatives to hybrid A*'s path are searched as well: [`Plan::alternatives`].
-    #[cfg(feature = "complete")]
     pub alternatives: bool,
     /// How much cheaper another path of hybrid A*'s must be than this planner's last one, led to the new ends, to take
     /// its place: a share of its cost. With 0 the last plan does not matter.
-    #[cfg(feature = "complete")]
     pub stickiness: f64,
     /// Given hybrid A*'s first plan, and each one that is better. Where it breaks, the last one is the answer.
     #[cfg(feature = "complete")]
@@ -156,7 +142,6 @@ pub struct Planner {
     #[cfg(feature = "complete")]
     own_goals: Option<Goals>,
     engine: Box<dyn Engine>,
-    #[cfg(feature = "complete")]
     brush: Option<brush::Brush>,
 }
 
@@ -186,7 +171,6 @@ impl Planner {
             own_goals: world.geometry.goals.take(),
             world,
             engine,
-            #[cfg(feature = "complete")]
             brush: None,
         }
     }
@@ -240,9 +224,7 @@ impl Planner {
         let ask = Ask {
             is_traced: options.trace,
             progress,
-            #[cfg(feature = "complete")]
             record: options.record,
-            #[cfg(feature = "complete")]
             expansions: options.expansions,
             #[cfg(feature = "complete")]
             wish,
@@ -323,12 +305,7 @@ fn engine(
     let _ = scenario;
     Ok(match settings {
         Settings::Grid(search) => Box::new(grid::GridEngine::new(world, planner, search)?),
-        Settings::Hybrid(config) => Box::new(hybrid::HybridEngine::new(
-            world,
-            #[cfg(feature = "complete")]
-            planner,
-            config,
-        )?),
+        Settings::Hybrid(config) => Box::new(hybrid::HybridEngine::new(world, planner, config)?),
         #[cfg(feature = "complete")]
         Settings::Road(config) => Box::new(road::RoadEngine::new(scenario, world, config)),
     })

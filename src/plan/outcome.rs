@@ -27,9 +27,7 @@ use crate::planners::hybrid::FailedExpansions;
 #[cfg(feature = "complete")]
 use crate::planners::hybrid::PoseRecording;
 pub use crate::planners::{Detail, Outcome};
-#[cfg(feature = "complete")]
 use crate::scenario::GoalPose;
-#[cfg(feature = "complete")]
 use crate::search::Recording;
 use crate::search::SearchStats;
 
@@ -263,7 +261,6 @@ pub struct Plan {
     /// The place that blocks the way, if there is no path and the place is known.
     pub obstruction: Option<Obstruction>,
     /// The goal that the path leads to, where the scene has several.
-    #[cfg(feature = "complete")]
     pub goal: Option<GoalPose>,
     /// Poses, close together, from start to goal.
     pub path: Vec<Pose>,
@@ -288,11 +285,9 @@ pub struct Plan {
     #[cfg(feature = "complete")]
     pub recorded: Option<Box<Recorded>>,
     /// Grid planners: what each step after the search makes of the path, if the trace is asked for.
-    #[cfg(feature = "complete")]
     pub stages: Option<super::Stages>,
     /// Hybrid A*, if asked for: the paths of which none is better in everything than another, this one among them, the
     /// shortest first; told apart by length and driving time to 1 %, by clearance to 5 cm.
-    #[cfg(feature = "complete")]
     pub alternatives: Vec<Plan>,
 }
 

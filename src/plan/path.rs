@@ -10,10 +10,8 @@ use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
 #[cfg(feature = "complete")]
 use crate::metrics::risk::{self, Risk};
-#[cfg(feature = "complete")]
 use crate::metrics::road::{Figures, figures};
 use crate::metrics::{Body, Check, check};
-#[cfg(feature = "complete")]
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
 
@@ -37,13 +35,11 @@ pub(super) fn poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
 pub(super) const MAX_LENGTH: f64 = 100_000.0;
 
 /// Along the chords between poses.
-#[cfg(feature = "complete")]
 pub(super) fn length(poses: &[Pose]) -> f64 {
     poses.windows(2).map(|pair| (pair[1].point() - pair[0].point()).norm()).sum()
 }
 
 /// The poses of x, y, heading, …, along a way that is not too long.
-#[cfg(feature = "complete")]
 fn way(path: &[f64]) -> Result<Vec<Pose>, Error> {
     let poses = poses(path)?;
     let length = length(&poses);
@@ -72,7 +68,6 @@ pub fn path_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
 }
 
 /// The same, at least one.
-#[cfg(feature = "complete")]
 pub(super) fn some_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
     let poses = way(path)?;
     if poses.is_empty() {
@@ -222,7 +217,7 @@ fn drivable(
     Ok((geometry, poses))
 }
 
-#[cfg(all(test, feature = "complete"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 

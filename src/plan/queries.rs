@@ -7,7 +7,6 @@
 use super::{Options, Outcome, Plan, Planner};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
-#[cfg(feature = "complete")]
 use crate::planners::registry::Family;
 use crate::scenario::checks::finite_pose;
 

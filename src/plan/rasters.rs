@@ -8,7 +8,6 @@
 //! Each is made at most once for a map: the first two with the planner, the last when its ends are first asked for.
 
 use super::world::World;
-#[cfg(feature = "complete")]
 use crate::map::{Bits, Layer, Redundant, RedundantSettings, redundant};
 use crate::map::{Cell, Occupancy, inflation};
 use crate::planners::grid_planner::Prepared;
@@ -19,12 +18,10 @@ use crate::planners::settings::Common;
 pub(super) struct Rasters {
     /// The map with necessary safety space blocked, where there is any.
     inflated: Option<Occupancy>,
-    #[cfg(feature = "complete")]
     extra: Extra,
 }
 
 /// Rasters that only the complete module has.
-#[cfg(feature = "complete")]
 struct Extra {
     /// The radius of necessary safety space, cells, where there is any.
     radius: Option<f64>,
@@ -43,7 +40,6 @@ impl Rasters {
             .map(|radius| radius / world.frame.resolution);
         Self {
             inflated: radius.map(|radius| inflation::necessary(&world.occupancy, radius)),
-            #[cfg(feature = "complete")]
             extra: Extra::new(radius, settings),
         }
     }
@@ -73,15 +69,10 @@ impl Rasters {
 
     /// A query on that map, with its jump bitmaps if there are any.
     pub(super) fn query<'a>(&'a self, world: &'a World, [start, goal]: [Cell; 2]) -> Prepared<'a> {
-        Prepared {
-            query: Query { map: self.map(world), start, goal },
-            #[cfg(feature = "complete")]
-            bits: self.extra.bits.as_ref(),
-        }
+        Prepared { query: Query { map: self.map(world), start, goal }, bits: self.extra.bits.as_ref() }
     }
 }
 
-#[cfg(feature = "complete")]
 impl Extra {
     /// Passages and mouths of one cell are no restriction.
     fn new(radius: Option<f64>, settings: &Common) -> Self {
@@ -92,7 +83,6 @@ impl Extra {
     }
 }
 
-#[cfg(feature = "complete")]
 impl Rasters {
     /// Brings the map between these ends up to date.
     pub(super) fn prepare(&mut self, world: &World, [start, goal]: [Cell; 2]) {

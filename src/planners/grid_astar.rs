@@ -16,7 +16,6 @@ use super::weighted::Weighted;
 use crate::error::{Error, ErrorCode};
 use crate::json;
 use crate::search::{Observer, Watch, one_way};
-#[cfg(feature = "complete")]
 use crate::search::{Recording, record_one_way};
 
 /// The factor on the estimate.
@@ -237,7 +236,6 @@ impl<O: Observer<i64, ()>> Search<'_, O> {
 }
 
 /// The same search with its events written down, at most `limit` of them.
-#[cfg(feature = "complete")]
 pub fn record(query: Query, neighbourhood: Neighbourhood, config: &Config, limit: usize) -> Recording {
     if query.trivial().is_some() {
         return Recording::empty();
@@ -249,7 +247,6 @@ pub fn record(query: Query, neighbourhood: Neighbourhood, config: &Config, limit
 }
 
 /// A search over a grid, with the map's weights where it has some.
-#[cfg(feature = "complete")]
 pub(super) fn record_grid(query: Query, grid: Grid<Chosen>, common: Common, limit: usize) -> Recording {
     let (ends, most) = (query.ends(), common.max_expansions);
     if query.map.weights().is_some() {

@@ -27,7 +27,6 @@ use super::moves::{D, DIRECTIONS, LEGAL, Move, Neighbourhood, R2, cost};
 use super::query::Query;
 use crate::map::{Cell, Corner, Occupancy, line_of_sight};
 use crate::search::lattice::{Edge, EdgeSink, Lattice, Reversible};
-#[cfg(feature = "complete")]
 use crate::search::{Considered, Legality, Part};
 use crate::search::{NodeId, PackedEntry};
 
@@ -109,7 +108,6 @@ impl<'a, E: Estimate> Grid<'a, E> {
 
     /// Leaves out the steps, too, that lead to no cell at its lowest cost. The path costs the same; fewer cells enter
     /// the open lists, so that they are counted otherwise.
-    #[cfg(feature = "complete")]
     pub(super) fn on_shortest_ways(mut self) -> Self {
         self.onward = &SHORTEST;
         self
@@ -224,7 +222,6 @@ impl<E: Estimate> Reversible for Grid<'_, E> {
     }
 }
 
-#[cfg(feature = "complete")]
 impl<E: Estimate> Considered for Grid<'_, E> {
     fn consider(&self, node: NodeId, _: Option<u32>, _: Part, tell: &mut dyn FnMut(NodeId, i64, Legality)) {
         let cell = self.map.cell(node);
@@ -238,7 +235,6 @@ impl<E: Estimate> Considered for Grid<'_, E> {
 }
 
 /// Whether a straight move between two cells of a map can be made.
-#[cfg(feature = "complete")]
 pub(super) fn legality(map: &Occupancy, from: Cell, to: Cell, corner: Corner) -> Legality {
     match (map.blocked(to), line_of_sight(map, from, to, corner)) {
         (true, _) => Legality::Blocked,
@@ -250,7 +246,6 @@ pub(super) fn legality(map: &Occupancy, from: Cell, to: Cell, corner: Corner) ->
 /// [`unseen`] by the direction of the last step and the free cells around.
 static UNSEEN: [[u8; 256]; 8] = onward(false);
 /// The same, without the steps that are [`longer`].
-#[cfg(feature = "complete")]
 static SHORTEST: [[u8; 256]; 8] = onward(true);
 
 const fn onward(is_shortest: bool) -> [[u8; 256]; 8] {

@@ -4,9 +4,7 @@ use super::parameters::Parameters;
 use super::query::{GridReport, GridScratch, Query};
 use super::risk_field::Config as RiskFieldConfig;
 use super::settings::Common;
-#[cfg(feature = "complete")]
 use crate::map::Bits;
-#[cfg(feature = "complete")]
 use crate::search::Recording;
 use crate::search::Watch;
 
@@ -15,7 +13,6 @@ use crate::search::Watch;
 pub(crate) struct Prepared<'a> {
     pub(crate) query: Query<'a>,
     /// The map's jump bitmaps, if the planner [needs them](GridPlanner::needs_bits).
-    #[cfg(feature = "complete")]
     pub(crate) bits: Option<&'a Bits>,
 }
 

@@ -215,7 +215,6 @@ mod tests {
 
     /// |h(u) − h(v)| ≤ cost(u, v) for every move: what keeps closed cells closed.
     #[test]
-    #[cfg(feature = "complete")]
     fn the_four_distances_are_the_papers() {
         use Heuristic::{Chebyshev, Euclid, Manhattan, Octile};
         use Neighbourhood::{Eight, Four, Sixteen};

@@ -9,15 +9,11 @@
 //! and checks what it answers. A planner is registered by one row in [`registry`]; its settings are declared once,
 //! by the macro in `parameters`, from which defaults, ranges, forms and types come.
 
-#[cfg(feature = "complete")]
 pub mod any_angle;
-#[cfg(feature = "complete")]
 pub mod bidirectional;
-#[cfg(feature = "complete")]
 pub mod cost_map;
 #[cfg(feature = "complete")]
 pub mod dijkstra_greedy;
-#[cfg(feature = "complete")]
 pub mod genetic;
 pub mod grid_astar;
 mod grid_lattice;
@@ -34,7 +30,6 @@ mod parameters;
 pub mod query;
 pub mod registry;
 pub mod risk_field;
-#[cfg(feature = "complete")]
 pub mod rrt;
 pub mod settings;
 mod weighted;

@@ -6,7 +6,6 @@
 use super::{Detail, Outcome};
 use crate::map::{Cell, Occupancy};
 use crate::search::{Found, NodeId, PackedEntry, PackedScratch, SearchStats, WideEntry};
-#[cfg(feature = "complete")]
 use crate::search::{Report, Scratch};
 
 /// A question to a grid planner.
@@ -50,7 +49,6 @@ pub struct GridReport {
 pub struct GridScratch {
     pub(super) lattice: PackedScratch<PackedEntry>,
     pub(super) risk: PackedScratch<WideEntry>,
-    #[cfg(feature = "complete")]
     pub(super) lengths: Scratch<f64, Cell>,
 }
 
@@ -109,7 +107,6 @@ impl GridReport {
     }
 
     /// The answer of a search by lengths, still without its cost.
-    #[cfg(feature = "complete")]
     pub(super) fn of(
         query: &Query,
         search: &Report<f64, ()>,

@@ -123,7 +123,6 @@ const fn row(
 }
 
 impl Row {
-    #[cfg(feature = "complete")]
     const fn without_costs(self) -> Self {
         Self { takes_costs: false, ..self }
     }

@@ -16,7 +16,6 @@ use super::query::Query;
 use crate::map::{Cell, Occupancy, Weights};
 use crate::search::NodeId;
 use crate::search::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice, Reversible};
-#[cfg(feature = "complete")]
 use crate::search::{Considered, Legality, Part};
 
 /// `lattice` over a map's cells, its moves at other costs than their lengths.
@@ -43,7 +42,6 @@ impl<'a, L> Weighted<'a, L> {
     }
 
     /// Moves that cost nothing: a search by the estimate alone, which keeps the first way it finds to each cell.
-    #[cfg(feature = "complete")]
     pub(super) fn for_nothing(lattice: L, query: &Query<'a>) -> Self {
         Self { lattice, map: query.map, weights: None, goal: query.goal }
     }
@@ -158,7 +156,6 @@ impl<L: Deferring> Deferring for Weighted<'_, L> {
     }
 }
 
-#[cfg(feature = "complete")]
 impl<L: Considered> Considered for Weighted<'_, L> {
     fn consider(
         &self,

@@ -11,7 +11,6 @@
 use super::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Pose, math};
-#[cfg(feature = "complete")]
 use crate::json::{self, Fields};
 use crate::map::{Cell, Occupancy, raster};
 use crate::vehicle::Vehicle;
@@ -158,7 +157,6 @@ pub fn generate(family: Family, size: u32, seed: u64) -> Result<Scenario, Error>
 /// let scene = parkade::scenario::generate::from_json(&serde_json::json!({ "family": "trap", "size": 30, "seed": 2 }));
 /// assert_eq!(scene.unwrap().map.width, 30);
 /// ```
-#[cfg(feature = "complete")]
 pub fn from_json(value: &serde_json::Value) -> Result<Scenario, Error> {
     const RECTANGLES: [&str; 3] = ["densityPermille", "blockMin", "blockMax"];
     let f = Fields::of(value, &["family", "size", "seed", RECTANGLES[0], RECTANGLES[1], RECTANGLES[2]])?;
@@ -329,7 +327,6 @@ mod tests {
         assert_eq!(map, occupancy(Family::Trap, 30, 3).unwrap());
     }
 
-    #[cfg(feature = "complete")]
     #[test]
     fn bad_fields_are_named() {
         use serde_json::json;

@@ -11,18 +11,12 @@
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-#[cfg(feature = "complete")]
 use crate::geometry::Point;
 use crate::geometry::Pose;
-#[cfg(feature = "complete")]
 pub use goal_region::{GoalRegion, HEADING_TOLERANCE};
-#[cfg(feature = "complete")]
 pub use goal_set::{EntryChoice, GoalPose, GoalSet, Goals, SlotChoice, SlotsGoal};
-#[cfg(feature = "complete")]
 pub(crate) use lane_position::LaneLeg;
-#[cfg(feature = "complete")]
 pub use moving::MovingObstacle;
-#[cfg(feature = "complete")]
 pub use road::{Lane, LanePiece, SpeedLimit};
 pub use road_obstacle::Road;
 pub use slot::{Entry, Lean, Slot, SlotGoal, SlotKind};
@@ -33,15 +27,11 @@ pub(crate) mod checks;
 #[cfg(feature = "complete")]
 mod figure_scenes;
 pub mod generate;
-#[cfg(feature = "complete")]
 mod goal_region;
-#[cfg(feature = "complete")]
 mod goal_set;
-#[cfg(feature = "complete")]
 mod lane_position;
 #[cfg(feature = "complete")]
 pub mod lot;
-#[cfg(feature = "complete")]
 mod moving;
 #[cfg(feature = "complete")]
 mod moving_scenes;
@@ -49,7 +39,6 @@ mod paper_lot;
 pub(crate) mod parse;
 pub(crate) mod places;
 pub mod resolve;
-#[cfg(feature = "complete")]
 mod road;
 mod road_obstacle;
 #[cfg(feature = "complete")]

@@ -240,7 +240,6 @@ mod tests {
         assert_eq!(scenario, again);
     }
 
-    #[cfg(feature = "complete")]
     #[test]
     fn moving_obstacles_read_and_write_back() {
         let mut value = scene();

@@ -11,10 +11,8 @@
 //! Order: shapes come as obstacles are listed, then kerbs, then parked cars. Their numbers, from 1 on, are the owners
 //! of collision checks; 0 is the border.
 
-#[cfg(feature = "complete")]
 use std::ops::Range;
 
-#[cfg(feature = "complete")]
 use super::Goals;
 use super::checks::{bad, finite_pose};
 use super::road_obstacle::kerbs;
@@ -281,10 +279,8 @@ impl Scenario {
 
 /// The shapes of obstacles, in a hash table with open addressing. An obstacle that lies exactly on an earlier one
 /// blocks nothing more, but every collision check would pay for it again.
-#[cfg(feature = "complete")]
 struct Known(Vec<Range<usize>>);
 
-#[cfg(feature = "complete")]
 impl Known {
     /// Room for as many obstacles, half of it empty.
     fn of(obstacles: usize) -> Self {
@@ -366,7 +362,6 @@ mod tests {
         assert_eq!(merged, [[2, 0, 3, 2], [2, 2, 4, 1], [7, 0, 1, 1]]);
     }
 
-    #[cfg(feature = "complete")]
     #[test]
     fn an_obstacle_on_an_earlier_one_is_left_out_and_one_beside_it_is_not() {
         let block = |id: &str, x: f64| Obstacle::Rectangle {

@@ -20,7 +20,6 @@ use serde_json::Value;
 
 use super::checks::{bad, corners, positive};
 use super::places::point;
-#[cfg(feature = "complete")]
 use super::road::{Lane, LanePiece, SpeedLimit};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, math, polygon};
@@ -237,7 +236,6 @@ fn outside(a: Point, b: Point, polygons: &[Vec<Point>], parts: &mut Vec<(Point, 
     }
 }
 
-#[cfg(feature = "complete")]
 impl Road {
     /// The lanes on which a car gets from near one point to near the other: those along the line where it comes first
     /// on it, those against it otherwise; where there are none, the others.

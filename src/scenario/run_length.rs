@@ -15,7 +15,6 @@ use super::MAX_CELLS;
 use crate::error::{Error, Message};
 use crate::json;
 
-#[cfg(feature = "complete")]
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// Runs in order, written as text.
@@ -26,7 +25,6 @@ const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz
 ///
 /// assert_eq!(pack(&[[2, 0, 3], [2, 1, 40]]), "CD9/DoB");
 /// ```
-#[cfg(feature = "complete")]
 pub fn pack(runs: &[[u32; 3]]) -> String {
     let mut text = String::new();
     let mut number = |mut n: u32| {
@@ -97,7 +95,7 @@ pub(super) fn unpack(text: &str) -> Result<Vec<[u32; 3]>, Error> {
     Ok(runs)
 }
 
-#[cfg(all(test, feature = "complete"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 

@@ -12,7 +12,6 @@
 
 use std::collections::BTreeMap;
 
-#[cfg(feature = "complete")]
 use super::Goal;
 use super::checks::{bad, corners, finite, finite_pose, outline, point, positive};
 use super::{CostArea, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
@@ -258,7 +257,6 @@ mod tests {
         }
     }
 
-    #[cfg(feature = "complete")]
     #[test]
     fn impossible_movements_are_refused_with_words() {
         let cases = [

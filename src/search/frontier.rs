@@ -115,13 +115,11 @@ impl<E: Entry> PackedScratch<E> {
 
     /// The node's cost if this side has reached it. Not valid for nodes that [`PackedScratch::close_for_both`] removed
     /// from this side's search.
-    #[cfg(feature = "complete")]
     pub(super) fn known(&self, turn: usize, node: NodeId) -> Option<i64> {
         let record = self.record::<2>(turn, node);
         (record < self.generation + GENERATION).then_some(cost_of(record))
     }
 
-    #[cfg(feature = "complete")]
     pub(super) fn is_closed(&self, turn: usize, node: NodeId) -> bool {
         self.record::<2>(turn, node) < self.generation | OPEN
     }
@@ -133,7 +131,6 @@ impl<E: Entry> PackedScratch<E> {
 
     /// Closes a node on one side and removes it from the other side's search, reached there or not; `record` is its
     /// record as popped.
-    #[cfg(feature = "complete")]
     pub(super) fn close_for_both(&mut self, turn: usize, node: NodeId, record: Record) {
         let generation = self.generation;
         let both = self.at::<2>(node);

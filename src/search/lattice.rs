@@ -153,7 +153,6 @@ impl Edge {
     }
 
     /// Its cost, micro-cells.
-    #[cfg(feature = "complete")]
     pub const fn cost(self) -> i64 {
         self.cost
     }

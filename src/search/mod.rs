@@ -31,9 +31,7 @@
 //! * A budget counts expansions, never time.
 
 mod best_first;
-#[cfg(feature = "complete")]
 mod bidirectional;
-#[cfg(feature = "complete")]
 mod bidirectional_best_first;
 mod bucket_queue;
 mod bucket_sort;
@@ -47,27 +45,19 @@ mod node_table;
 mod observer;
 mod one_way;
 mod open_list;
-#[cfg(feature = "complete")]
 mod recorded;
-#[cfg(feature = "complete")]
 mod recorded_both;
-#[cfg(feature = "complete")]
 mod recorded_domain;
-#[cfg(feature = "complete")]
 mod recording;
 #[cfg(test)]
-#[cfg(feature = "complete")]
 mod reference;
 mod stats;
 #[cfg(test)]
-#[cfg(feature = "complete")]
 mod tests;
 mod tree;
 
 pub use best_first::{Limits, Report, best_first};
-#[cfg(feature = "complete")]
 pub use bidirectional::{Stop, bidirectional};
-#[cfg(feature = "complete")]
 pub use bidirectional_best_first::{Join, Summary, Trees, bidirectional_best_first};
 pub(crate) use budget::Budget;
 pub use cost::{Cost, NodeId};
@@ -75,20 +65,15 @@ pub use domain::{Domain, End, Finish, Relax, Visit};
 pub use entry::{Entry, PackedEntry, WideEntry};
 pub use frontier::PackedScratch;
 pub use node_table::Scratch;
-#[cfg(feature = "complete")]
 pub use observer::{ExpansionCallback, Expansions};
 pub use observer::{Observer, Progress, ProgressCallback, Trace, Watch};
 pub use one_way::{Found, one_way, one_way_deferring};
 pub use open_list::Order;
-#[cfg(feature = "complete")]
 pub use recorded::{Considered, Legality, Part, record_deferring, record_one_way};
-#[cfg(feature = "complete")]
 pub use recorded_both::record_bidirectional;
-#[cfg(feature = "complete")]
 pub use recorded_domain::{
     Ground, Labelled, Told, Watched, record_best_first, record_bidirectional_best_first,
 };
-#[cfg(feature = "complete")]
 pub use recording::{BACKWARD, Fate, PAST, Recording, StepKind};
 pub use stats::SearchStats;
 pub use tree::Tree;

@@ -104,7 +104,6 @@ impl<C: Copy, L: Copy, A: Observer<C, L>, B: Observer<C, L>> Observer<C, L> for 
 pub type Watch<'a> = (Option<Trace<'a>>, Option<Progress<'a>>);
 
 /// Some of a search's expansions, in their order: nodes of a grid, or what a lattice makes of its states.
-#[cfg(feature = "complete")]
 #[derive(Debug, Clone, Copy)]
 pub struct Expansions<'a> {
     /// True if these are the first of their search.
@@ -116,11 +115,9 @@ pub struct Expansions<'a> {
 }
 
 /// Receives expansions while a search runs.
-#[cfg(feature = "complete")]
 pub type ExpansionCallback<'a> = &'a dyn Fn(Expansions<'_>);
 
 /// Nodes that a callback is given at a time: often enough for a drawing, and few calls.
-#[cfg(feature = "complete")]
 const NODES: usize = 1024;
 
 /// Expanded nodes in order, up to a cap.
@@ -132,7 +129,6 @@ pub struct Trace<'a> {
     pub dropped: u64,
     cap: usize,
     /// Those of the nodes that `tell` knows.
-    #[cfg(feature = "complete")]
     told: usize,
     #[cfg(feature = "complete")]
     tell: Option<ExpansionCallback<'a>>,
@@ -147,7 +143,6 @@ impl Trace<'_> {
             expanded: Vec::new(),
             dropped: 0,
             cap,
-            #[cfg(feature = "complete")]
             told: 0,
             #[cfg(feature = "complete")]
             tell: None,
@@ -235,35 +230,22 @@ pub struct Progress<'a> {
     /// When it tells next.
     next: u32,
     /// Expansions of earlier plans that are told as one with this.
-    #[cfg(feature = "complete")]
     base: u32,
     /// Expansions of the plan's searches before this one.
     before: u32,
     stopped: bool,
     tell: ProgressCallback<'a>,
     /// Receives expansions, where the search tells those itself.
-    #[cfg(feature = "complete")]
     pub expansions: Option<ExpansionCallback<'a>>,
 }
 
 impl<'a> Progress<'a> {
     /// Tells after every so many expansions.
     pub fn new(every: NonZeroU32, tell: ProgressCallback<'a>) -> Self {
-        Self {
-            every,
-            next: every.get(),
-            #[cfg(feature = "complete")]
-            base: 0,
-            before: 0,
-            stopped: false,
-            tell,
-            #[cfg(feature = "complete")]
-            expansions: None,
-        }
+        Self { every, next: every.get(), base: 0, before: 0, stopped: false, tell, expansions: None }
     }
 
     /// The same, with a callback that is given the expansions.
-    #[cfg(feature = "complete")]
     #[must_use]
     pub fn telling(self, expansions: Option<ExpansionCallback<'a>>) -> Self {
         Self { expansions, ..self }
@@ -277,7 +259,6 @@ impl<'a> Progress<'a> {
     }
 
     /// A plan follows others, told as one with it, whose searches have expanded as many nodes.
-    #[cfg(feature = "complete")]
     pub fn continue_after(&mut self, expanded: u32) {
         (self.base, self.before) = (expanded, expanded);
     }

@@ -215,13 +215,11 @@ impl<C: Cost> OpenList<C> {
     }
 
     /// Number of entries held.
-    #[cfg(feature = "complete")]
     pub(super) fn len(&self) -> usize {
         self.len
     }
 
     /// The f of the first entry of the order.
-    #[cfg(feature = "complete")]
     pub(super) fn least(&mut self, order: Order) -> Option<C> {
         if self.len == 0 {
             return None;

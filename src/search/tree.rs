@@ -95,7 +95,6 @@ impl<'a, D: Domain> Tree<'a, D> {
     }
 }
 
-#[cfg(feature = "complete")]
 impl<D: Domain> Tree<'_, D> {
     /// The least f of the open list, stale entries included; [`Cost::MAX`] where it is empty.
     pub(super) fn least(&mut self) -> D::Cost {

@@ -17,7 +17,6 @@
 //! final check above all, treats contact as free and overlap as a collision.
 
 pub mod collision;
-#[cfg(feature = "complete")]
 pub mod library;
 
 use serde::Serialize;
@@ -73,7 +72,6 @@ impl Vehicle {
 
     /// The road manuscript's ship (72 m × 16 m, turns in 144 m); it turns about a point a quarter of its length from
     /// the stern, a choice of ours.
-    #[cfg(feature = "complete")]
     pub const SHIP: Self = Self {
         wheelbase: 36.0,
         width: 16.0,
@@ -112,13 +110,11 @@ impl Vehicle {
     }
 
     /// No point of the body is farther from the rear axle's middle, metres.
-    #[cfg(feature = "complete")]
     pub fn reach(&self) -> f64 {
         math::hypot(self.rear_to_front.max(self.rear_to_back), self.width / 2.0)
     }
 
     /// How far the body's middle is ahead of the rear axle, metres.
-    #[cfg(feature = "complete")]
     pub fn middle(&self) -> f64 {
         (self.rear_to_front - self.rear_to_back) / 2.0
     }

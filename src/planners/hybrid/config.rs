@@ -180,7 +180,6 @@ impl Config {
 
     /// As coarse and greedy as the program that the parking paper started from, for comparison: 2 m, 15°, one level,
     /// the first connection, no shortcut.
-    #[cfg(feature = "complete")]
     pub fn classic() -> Self {
         Self {
             search_from: SearchFrom::Start,
@@ -256,14 +255,12 @@ pub(super) struct Level {
     /// True if a car that can hardly move drives as far as it can each time, `step` at most.
     pub(super) shuffle: bool,
     /// Turn of a rock, radians; 0 where the car does not rock.
-    #[cfg(feature = "complete")]
     pub(super) rock: f64,
     /// True if two trees grow, one from each end.
     #[cfg(feature = "complete")]
     pub(super) is_from_both: bool,
 }
 
-#[cfg(feature = "complete")]
 impl Level {
     /// The same where the car may rock. Gear changes cost little, or else everything would be tried before; and
     /// there are hardly any connections, as a way out of every slot is known and the way to the target is not.
@@ -301,26 +298,20 @@ impl Level {
 }
 
 /// Finer lattices for a car that gains millimetres with each gear change: metres, degrees, metres.
-#[cfg(feature = "complete")]
 const REFINED: [(f64, f64, f64); REFINEMENTS] =
     [(0.04, 0.6, 0.1), (0.03, 0.4, 0.1), (0.02, 0.25, 0.1), (0.02, 0.4, 0.08)];
 /// How many they are.
-#[cfg(feature = "complete")]
 pub(super) const REFINEMENTS: usize = 4;
 /// Weight of the estimate on them.
-#[cfg(feature = "complete")]
 const REFINED_WEIGHT: f64 = 1.3;
 /// Cost of a gear change where the car may rock or the tree grows from the other end, metres.
 #[cfg(feature = "complete")]
 pub(super) const CHEAP_CHANGE_COST: f64 = 0.2;
 /// Turn of a rock, in heading bins: it leaves the bin.
-#[cfg(feature = "complete")]
 const ROCK_BINS: f64 = 2.0;
 /// The finer lattice of those that rock: metres, degrees, metres, and the weight of the estimate.
-#[cfg(feature = "complete")]
 const FINE_ROCKING: (f64, f64, f64, f64) = (0.06, 0.75, 0.1, 3.0);
 /// Every so-many-th state is tried with a curve to the target while the car may rock.
-#[cfg(feature = "complete")]
 const ROCKING_CONNECT_EVERY: u32 = 16;
 
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
@@ -363,7 +354,6 @@ impl Config {
             bound: f64::INFINITY,
             connect_every,
             shuffle,
-            #[cfg(feature = "complete")]
             rock: 0.0,
             #[cfg(feature = "complete")]
             is_from_both: self.search_from == SearchFrom::Both,

@@ -62,7 +62,6 @@ pub(super) struct CostModel {
 pub(super) struct Motion {
     pub(super) gear: i8,
     /// True if the arc ends a rock: the same arc, twice as far back on the other lock, and the arc again.
-    #[cfg(feature = "complete")]
     pub(super) is_rock: bool,
     pub(super) curvature: f64,
 }
@@ -70,12 +69,7 @@ pub(super) struct Motion {
 impl Motion {
     /// How the car moves at the end of an arc.
     pub(super) fn after(arc: &Arc) -> Self {
-        Self {
-            gear: if arc.length < 0.0 { -1 } else { 1 },
-            #[cfg(feature = "complete")]
-            is_rock: false,
-            curvature: arc.curvature,
-        }
+        Self { gear: if arc.length < 0.0 { -1 } else { 1 }, is_rock: false, curvature: arc.curvature }
     }
 }
 
@@ -117,7 +111,6 @@ impl CostModel {
     }
 
     /// Price of a gear change, metres.
-    #[cfg(feature = "complete")]
     pub(super) fn change(&self) -> f64 {
         self.change
     }

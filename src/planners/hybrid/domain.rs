@@ -24,7 +24,6 @@
 //! Poses are local to the obstacles. A tree that grows from the goal is *mirrored*: it drives the path backwards,
 //! so every gear is the other one.
 
-#[cfg(feature = "complete")]
 mod rock;
 
 use core::cell::{Cell, RefCell, RefMut};
@@ -33,7 +32,6 @@ use super::analytic_expansion::{Recorder, take_cheapest};
 use super::config::{Config, Heuristic, Level};
 use super::cost::{CostModel, Motion};
 use super::obstacle_heuristic::ObstacleHeuristic;
-#[cfg(feature = "complete")]
 use super::pose_heuristic::PoseHeuristic;
 use super::state::State;
 use super::state_index::StateIndex;
@@ -56,7 +54,6 @@ const FREE_CHECKS: u32 = 1_000_000;
 /// Moves while shuffling are at least this long, metres.
 const MIN_SHUFFLE_MOVE: f64 = 0.01;
 /// A key that no lattice cell has.
-#[cfg(feature = "complete")]
 const NO_CELL: u64 = u64::MAX;
 
 /// A move from a state, before anything but its cost is known.
@@ -83,7 +80,6 @@ pub(super) struct StateLattice<'a> {
     pub(super) margin: f64,
     pub(super) max_changes: u32,
     /// Costs from poses to the target, where the search is guided by them.
-    #[cfg(feature = "complete")]
     poses: Option<&'a PoseHeuristic>,
     /// The poses that a search with many roots begins from, all at no cost; none where it begins from one.
     #[cfg(feature = "complete")]
@@ -113,7 +109,6 @@ pub(super) struct Setting<'a> {
     /// True if the tree grows from the goal; `costs` are then, too.
     pub(super) mirrored: bool,
     pub(super) watch: Option<&'a RefCell<Recorder>>,
-    #[cfg(feature = "complete")]
     pub(super) poses: Option<&'a PoseHeuristic>,
     #[cfg(feature = "complete")]
     pub(super) roots: &'a [Pose],
@@ -148,7 +143,6 @@ impl<'a> StateLattice<'a> {
             target,
             margin,
             max_changes: config.max_direction_changes,
-            #[cfg(feature = "complete")]
             poses: setting.poses,
             #[cfg(feature = "complete")]
             roots: setting.roots,
@@ -387,5 +381,5 @@ impl Domain for StateLattice<'_> {
     }
 }
 
-#[cfg(all(test, feature = "complete"))]
+#[cfg(test)]
 mod tests;

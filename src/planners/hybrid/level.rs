@@ -32,7 +32,6 @@ use super::state::{self, State};
 use super::tree::Tree;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::math;
-#[cfg(feature = "complete")]
 use crate::search::record_best_first;
 use crate::search::{End, Limits, SearchStats, best_first};
 
@@ -231,7 +230,6 @@ impl Search<'_> {
             costs,
             mirrored: self.mirrored,
             watch: watch.as_ref(),
-            #[cfg(feature = "complete")]
             poses: self.poses,
             #[cfg(feature = "complete")]
             roots: self.goals,

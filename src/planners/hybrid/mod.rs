@@ -34,26 +34,22 @@ mod flood;
 mod flood_memory;
 #[cfg(feature = "complete")]
 mod goals;
-#[cfg(feature = "complete")]
 mod holonomic;
 mod level;
 mod obstacle_heuristic;
 mod obstruction;
 mod portfolio;
-#[cfg(feature = "complete")]
 mod pose_heuristic;
 mod profile;
 mod question;
 #[cfg(feature = "complete")]
 mod recording;
 mod report;
-#[cfg(feature = "complete")]
 mod rivals;
 mod shortcut;
 mod state;
 mod state_index;
 mod tree;
-#[cfg(feature = "complete")]
 mod widest;
 
 pub use analytic_expansion::FailedExpansions;
@@ -243,7 +239,6 @@ impl Local<'_> {
                 goal,
                 tight: room.is_tight,
                 trace,
-                #[cfg(feature = "complete")]
                 poses: None,
                 #[cfg(feature = "complete")]
                 goals: &[],

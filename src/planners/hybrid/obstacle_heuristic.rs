@@ -27,7 +27,6 @@ use crate::geometry::{Point, Pose, Vector};
 use crate::map::Cell;
 use crate::planners::Region;
 use crate::vehicle::Vehicle;
-#[cfg(feature = "complete")]
 use crate::vehicle::collision::Corridor;
 use crate::vehicle::collision::Obstacles;
 
@@ -77,7 +76,6 @@ impl ObstacleHeuristic {
     }
 
     /// The same flood where the disc's centre keeps within a corridor.
-    #[cfg(feature = "complete")]
     pub(super) fn within(mut self, corridor: &Corridor) -> Self {
         let mut ground = (*self.flood.ground).clone();
         let frame = ground.frame;
@@ -89,7 +87,6 @@ impl ObstacleHeuristic {
     }
 
     /// The middle of the disc at a pose.
-    #[cfg(feature = "complete")]
     pub(super) fn disc(&self, at: Pose) -> Point {
         at.to_world(Point::new(self.ahead, 0.0))
     }

@@ -10,16 +10,13 @@ use super::config::Config;
 use super::cost::CostModel;
 use super::flood_memory::FloodMemory;
 use super::obstacle_heuristic::ObstacleHeuristic;
-#[cfg(feature = "complete")]
 use super::pose_heuristic::PoseHeuristic;
 use super::report::Report;
 use super::state::State;
 use super::state_index::StateIndex;
 use crate::geometry::Pose;
-#[cfg(feature = "complete")]
 use crate::geometry::arcs;
 use crate::geometry::arcs::Arc;
-#[cfg(feature = "complete")]
 use crate::geometry::math;
 use crate::scenario::resolve::{Form, Geometry};
 use crate::search::Progress;
@@ -63,13 +60,10 @@ pub struct Scratch {
     pub(super) keys: RefCell<StateIndex>,
     pub(super) floods: FloodMemory,
     /// Of the other tree, where two grow.
-    #[cfg(feature = "complete")]
     pub(super) other: Option<Box<Self>>,
-    #[cfg(feature = "complete")]
     pub(super) recorded_steps: Option<usize>,
 }
 
-#[cfg(feature = "complete")]
 impl Scratch {
     /// Memory that shares its floods with other planners.
     pub fn sharing(floods: FloodMemory) -> Self {
@@ -119,7 +113,6 @@ pub(super) struct Search<'a> {
     /// True to keep the search tree and the failed analytic expansions.
     pub(super) trace: bool,
     /// The costs from poses to `target`, where the search is guided by them.
-    #[cfg(feature = "complete")]
     pub(super) poses: Option<&'a PoseHeuristic>,
     /// Of several goals, those that are searched from at once; `goal` is then the one that the path at hand comes from.
     #[cfg(feature = "complete")]
@@ -161,7 +154,6 @@ impl<'a> Search<'a> {
 }
 
 /// Which of some goals is nearest to a pose. A radian counts as a metre.
-#[cfg(feature = "complete")]
 pub(super) fn nearest(goals: &[Pose], to: Pose) -> usize {
     let apart = |goal: &Pose| {
         let turn = math::turn(goal.heading, to.heading);

@@ -58,10 +58,8 @@ pub struct Report {
     /// where no way with more was found.
     pub margin: f64,
     /// True if the tree that gave the path, or was grown last, grew from the goal.
-    #[cfg(feature = "complete")]
     pub from_goal: bool,
     /// Side of that tree's position cells, metres, and width of its heading bins, radians.
-    #[cfg(feature = "complete")]
     pub resolution: (f64, f64),
     /// The counters of all levels. Bytes are those of the obstacles' rasters and buckets, the estimate's raster, and of
     /// the level that kept most of its nodes and open list.
@@ -93,9 +91,7 @@ impl Report {
             rs_bound,
             level: 0,
             margin: 0.0,
-            #[cfg(feature = "complete")]
             from_goal: false,
-            #[cfg(feature = "complete")]
             resolution: (0.0, 0.0),
             stats: SearchStats::default(),
             collision_checks: 0,

@@ -33,7 +33,6 @@ pub(super) fn tree_arcs(chain: &[(NodeId, State)]) -> impl Iterator<Item = Arc> 
 }
 
 /// The three arcs of a rock whose first and last arc this is.
-#[cfg(feature = "complete")]
 pub(super) fn rock_arcs(arc: Arc) -> [Arc; 3] {
     [arc, Arc { curvature: -arc.curvature, length: -2.0 * arc.length }, arc]
 }

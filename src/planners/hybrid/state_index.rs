@@ -58,7 +58,6 @@ impl StateIndex {
     }
 
     /// The number of a key, if it was met.
-    #[cfg(feature = "complete")]
     pub(super) fn get(&self, key: u64) -> Option<u32> {
         let slot = self.slots.get(self.find(key))?;
         (slot.stamp == self.stamp).then_some(slot.id)

@@ -7,7 +7,6 @@ use super::question::Search;
 use super::report::Report;
 use super::state::State;
 use crate::geometry::Pose;
-#[cfg(feature = "complete")]
 use crate::search::{ExpansionCallback, Expansions};
 use crate::search::{NodeId, Observer, Progress};
 
@@ -16,7 +15,6 @@ const MAX_TREE_ARCS: usize = 20_000;
 /// Numbers of an arc: x, y, heading, curvature, signed length.
 const ARC: usize = 5;
 /// Arcs that a callback is given at a time: often enough for a drawing, and few calls.
-#[cfg(feature = "complete")]
 const TOLD_ARCS: usize = 64;
 
 /// Keeps the arcs that led to expanded states.
@@ -26,7 +24,6 @@ pub(super) struct Tree<'a> {
     origin: Pose,
     mirrored: bool,
     /// Those of the numbers that `tell` knows.
-    #[cfg(feature = "complete")]
     told: usize,
     #[cfg(feature = "complete")]
     tell: Option<ExpansionCallback<'a>>,
@@ -44,7 +41,6 @@ impl<'a> Tree<'a> {
             dropped: 0,
             origin: search.origin(),
             mirrored: search.mirrored,
-            #[cfg(feature = "complete")]
             told: 0,
             #[cfg(feature = "complete")]
             tell: progress.and_then(|progress| progress.expansions),

@@ -25,13 +25,11 @@ use super::config::{Config, Heuristic, permille};
 use super::directions::{is_oblique, primaries, region};
 use crate::map::risk::PotentialField;
 use crate::map::{Cell, Corner, line_of_sight};
-#[cfg(feature = "complete")]
 use crate::planners::grid_lattice::legality;
 use crate::planners::heuristics::DistanceWeight;
 use crate::planners::moves::{D, DIRECTIONS, LEGAL, R2, cost};
 use crate::planners::query::Query;
 use crate::search::lattice::{Deferral, Deferring, Edge, EdgeSink, Lattice};
-#[cfg(feature = "complete")]
 use crate::search::{Considered, Legality, Part};
 use crate::search::{NodeId, WideEntry};
 
@@ -272,7 +270,6 @@ impl Deferring for RiskGrid<'_> {
     }
 }
 
-#[cfg(feature = "complete")]
 impl Considered for RiskGrid<'_> {
     fn consider(
         &self,

@@ -12,7 +12,6 @@
 mod config;
 mod directions;
 mod domain;
-#[cfg(feature = "complete")]
 mod explain;
 
 use super::grid_astar;
@@ -26,12 +25,10 @@ use crate::map::Corner;
 use crate::planners::{Detail, Outcome};
 use crate::search::one_way_deferring;
 use crate::search::{Observer, Watch};
-#[cfg(feature = "complete")]
 use crate::search::{Recording, record_deferring};
 use config::permille;
 
 pub use config::{Config, Fallback, Heuristic};
-#[cfg(feature = "complete")]
 pub use explain::{Candidate, Explanation, explain};
 
 grid_planner!(Config: plan, record;
@@ -85,7 +82,6 @@ pub fn plan<O: Observer<i64, ()>>(
 
 /// The same search with its events written down, at most `limit` of them.
 /// The recorded search agrees with [`plan`] in order, costs and counters, but for a bound of steps.
-#[cfg(feature = "complete")]
 pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
     if query.trivial().is_some() {
         return Recording::empty();

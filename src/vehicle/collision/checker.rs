@@ -10,7 +10,6 @@
 
 use std::cell::Cell as Counter;
 
-#[cfg(feature = "complete")]
 use super::Corridor;
 use super::Obstacles;
 use super::obstacles::segment_distance;
@@ -81,7 +80,6 @@ pub struct CollisionChecker<'a> {
     half_part: f64,
     slack: f64,
     /// The corridor that arcs may not leave.
-    #[cfg(feature = "complete")]
     corridor: Option<&'a Corridor>,
     checks: Counter<u32>,
 }
@@ -106,14 +104,12 @@ impl<'a> CollisionChecker<'a> {
             discs,
             half_part: part / 2.0,
             slack,
-            #[cfg(feature = "complete")]
             corridor: None,
             checks: Counter::new(0),
         }
     }
 
     /// The same queries, but arcs are free only within a corridor.
-    #[cfg(feature = "complete")]
     #[must_use]
     pub fn within(&self, corridor: &'a Corridor) -> Self {
         Self { corridor: Some(corridor), ..self.clone() }
@@ -137,7 +133,6 @@ impl<'a> CollisionChecker<'a> {
 
     /// True if the body, grown by `margin` metres on every side or shrunk where that is negative, meets nothing with
     /// its rear axle at `at` and a heading of this sine and cosine.
-    #[cfg(feature = "complete")]
     pub fn fits(&self, at: Point, (sin, cos): (f64, f64), margin: f64) -> bool {
         self.count(1);
         let place = Placement { x: at.x, y: at.y, sin, cos };
@@ -145,7 +140,6 @@ impl<'a> CollisionChecker<'a> {
     }
 
     /// True if an arc stays within the corridor, if there is one.
-    #[cfg(feature = "complete")]
     pub(super) fn corridor_holds(&self, from: Pose, arc: &Arc) -> bool {
         self.corridor.is_none_or(|corridor| corridor.holds_arc(from, arc))
     }

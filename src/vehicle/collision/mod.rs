@@ -29,7 +29,6 @@
 //! ```
 
 mod checker;
-#[cfg(feature = "complete")]
 mod corridor;
 mod obstacles;
 mod reach;
@@ -39,7 +38,6 @@ mod tests;
 mod variant;
 
 pub use checker::CollisionChecker;
-#[cfg(feature = "complete")]
 pub use corridor::Corridor;
 #[cfg(feature = "complete")]
 pub use obstacles::Original;

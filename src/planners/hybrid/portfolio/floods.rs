@@ -81,7 +81,6 @@ impl<'a> Floods<'a> {
     }
 
     /// How many margins there are.
-    #[cfg(feature = "complete")]
     pub(in crate::planners::hybrid) fn count(&self) -> usize {
         self.margins.len()
     }

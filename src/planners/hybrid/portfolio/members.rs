@@ -22,7 +22,6 @@ const LAST_CHEAP_LEVEL: u32 = 3;
 #[cfg(feature = "complete")]
 pub(super) const FINE_ROCKING_LEVEL: u32 = 3;
 /// The level that is refined.
-#[cfg(feature = "complete")]
 const FINEST_PLAIN_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
 /// Weight of the estimate where a search is greedy, and its expansions.
 #[cfg(feature = "complete")]
@@ -40,10 +39,8 @@ const DOGGED: (f64, u32) = (3.0, 130_000);
 #[cfg(feature = "complete")]
 const DOGGED_CHANGE_COST: f64 = 0.5;
 /// Expansions of each search that rocks from the hard end, …
-#[cfg(feature = "complete")]
 const ROCKING_EXPANSIONS: u32 = 100_000;
 /// … and of the one from both ends.
-#[cfg(feature = "complete")]
 const BOTH_EXPANSIONS: u32 = 40_000;
 
 /// Where a tree grows from.
@@ -204,7 +201,6 @@ pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member
 
 /// The members with ever finer lattices and the least margin with which a car need not creep. A car that gains
 /// millimetres with each gear change never leaves the cell of a coarser one, which is then soon searched to its end.
-#[cfg(feature = "complete")]
 fn refined(levels: u32, widest: usize, margins: &[f64]) -> impl Iterator<Item = Member> {
     let comfortable = margins.iter().rposition(|&margin| margin >= COMFORTABLE_MARGIN);
     let margin = comfortable.filter(|&margin| margin >= widest && levels > FIRST_SHUFFLING_LEVEL);
