@@ -3,6 +3,7 @@ import { join } from "node:path";
 import { describe, expect, it } from "vitest";
 import { init, ParkadeError } from "parkade";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
+import type { Refusal } from "../../www/src/i18n/refusal";
 import { bounded } from "../../www/src/scene/foreign";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
 import type { Scenario } from "../../www/src/scene/scenario";
@@ -130,13 +131,13 @@ describe("reasons in Chinese", () => {
   it("are there for what is too large for a page", () => {
     const start = { x: 0, y: 0, heading: 0 },
       map = { origin: [0, 0], width: 9, height: 9, resolution: 1 };
-    const reasonOf = (more: object): string => {
+    const reasonOf = (more: object): Refusal => {
       try {
         bounded({ version: 1, map, start, goal: start, ...more } as unknown as Scenario);
       } catch (error) {
-        return (error as Error).message;
+        return error as Refusal;
       }
-      return "";
+      throw new Error("it is small enough");
     };
     expect(chineseReason(reasonOf({ slots: [], obstacles: Array(2001).fill({ type: "polygon", points: [] }) }))).toBe(
       "slots、obstacles：最多为 2000 个对象，实际为 2001。",
@@ -144,7 +145,10 @@ describe("reasons in Chinese", () => {
     expect(chineseReason(reasonOf({ obstacles: [{ type: "polygon", points: Array(50_001).fill([0, 0]) }] }))).toBe(
       "points：最多为 50000 个点，实际为 50001。",
     );
-    expect(chineseReason(reasonOf({ name: "x".repeat(201) }))).toBe("name：最多为 200 个字符，实际为 201。");
+    const long = reasonOf({ name: "x".repeat(201) });
+    expect(chineseReason(long)).toBe("name：最多为 200 个字符，实际为 201。");
+    expect(long.message).toBe("name: must be at most 200 characters, got 201");
+    expect(long.values).toEqual(["200", "201"]);
   });
 
   it("name what a rule is about", () => {
@@ -169,6 +173,7 @@ describe("reasons in Chinese", () => {
     expect(chineseReason("must have 12 characters, got 3.")).toBe("须有 12 个字符，实际为 3。");
     expect(chineseReason("EOF while parsing an object at line 1 column 1.")).toBe("JSON 语法错误，第 1 行第 1 列。");
     expect(chineseReason("nobody knows this one")).toBe("nobody knows this one");
+    expect(chineseReason("the worker stopped.")).toBe("规划器的工作线程已停止。");
     expect(chineseReason("必须是整数。")).toBe("必须是整数。");
   });
 });

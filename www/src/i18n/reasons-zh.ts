@@ -73,7 +73,7 @@ export function chineseReasons({ reasons, values }: Catalogue): (reason: string 
     const { path, template, values: given = [], message } = reason;
     if (!template?.replaceAll("{}", "").trim()) return textOf(message);
     const rule = ruleOf(template).replace(/⟨(\d+)⟩/g, (_, at: string) => shownOf(given[Number(at)] ?? ""));
-    return path ? `${path}：${rule}` : rule;
+    return path ? `${path.replaceAll(" and ", "、")}：${rule}` : rule;
   };
 }
 

@@ -1,5 +1,6 @@
 /** Scenes that come from outside: links, files, messages, storage, other pages. */
 import type { SceneGeometry } from "parkade";
+import { Refusal } from "../i18n/refusal";
 import type { Run } from "./cells";
 import { ensureIds } from "./model";
 import type { GivenScenario, Scenario } from "./scenario";
@@ -42,8 +43,14 @@ export function bounded<Given extends GivenScenario>(scene: Given): Given {
   return scene;
 }
 
-function limit(field: string, unit: string, count: number, most: number): void {
-  if (count > most) throw new Error(`${field}: must be at most ${most} ${unit}, got ${count}`);
+function limit(path: string, unit: string, count: number, most: number): void {
+  if (count <= most) return;
+  throw new Refusal({
+    path,
+    message: `${path}: must be at most ${most} ${unit}, got ${count}`,
+    template: `must be at most {} ${unit}, got {}`,
+    values: [`${most}`, `${count}`],
+  });
 }
 
 /**
