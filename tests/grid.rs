@@ -171,7 +171,7 @@ fn searches_from_both_ends_and_jumps_find_the_cheapest_path_or_none() {
                     dearer += u32::from(naive.cost_micro > costs[0]);
                     assert!(naive.cost_micro >= costs[0]);
                 }
-                (Outcome::NoPath, Some(Detail::Stranded)) => {
+                (Outcome::NoPath, Some(Detail::Incomplete)) => {
                     missed += 1;
                     assert_eq!(cheapest.outcome, Outcome::Found);
                 }
@@ -223,7 +223,7 @@ fn risk_field_searches_are_complete_with_every_option() {
     ];
     let mut random = SplitMix64::new(30);
     let mut scratch = GridScratch::new();
-    let (mut found, mut stranded) = (0, 0);
+    let (mut found, mut incomplete) = (0, 0);
     for _ in 0..300 {
         let (map, start, goal) = random_map(&mut random, SIDES, 45);
         let query = Query { map: &map, start, goal };
@@ -235,16 +235,16 @@ fn risk_field_searches_are_complete_with_every_option() {
             match (report.outcome, report.detail) {
                 (Outcome::Found, None) => check_path(query, corner, &report),
                 (Outcome::NoPath, Some(Detail::Unreachable)) => assert!(!reachable),
-                (Outcome::NoPath, Some(Detail::Stranded)) => {
+                (Outcome::NoPath, Some(Detail::Incomplete)) => {
                     assert!(reachable && matches!(config.fallback, Fallback::StuckOnly | Fallback::None));
-                    stranded += 1;
+                    incomplete += 1;
                 }
                 other => panic!("{other:?}"),
             }
             found += u32::from(reachable);
         }
     }
-    assert!(found > 3000 && stranded > 20, "{found} {stranded}");
+    assert!(found > 3000 && incomplete > 20, "{found} {incomplete}");
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

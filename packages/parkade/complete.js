@@ -109,10 +109,10 @@ export const paperVerdicts = (tables) => {
   return call(() => raw.paperVerdicts(parking, road));
 };
 
-/** @type {typeof import("./index.js").paperStranded} */
-export const paperStranded = (slice) => {
+/** @type {typeof import("./index.js").paperIncomplete} */
+export const paperIncomplete = (slice) => {
   const { row, from, to } = object(slice, "slice");
-  return call(() => raw.paperStranded(text(row, "row"), number(from, "from"), number(to, "to")));
+  return call(() => raw.paperIncomplete(text(row, "row"), number(from, "from"), number(to, "to")));
 };
 
 /** @type {typeof import("./index.js").paperVolumes} */

@@ -8,7 +8,7 @@ export type Outcome =
 
 /** A finer word for the outcome. */
 export type Detail =
-  | "unreachable" | "too-narrow" | "no-room" | "boxed-in" | "stranded" | "suboptimal" | "verification-failed"
+  | "unreachable" | "too-narrow" | "no-room" | "boxed-in" | "incomplete" | "suboptimal" | "verification-failed"
   | "smoothing-fell-back" | "less-margin";
 
 export interface Pose { x: number; y: number; heading: number }
@@ -360,7 +360,7 @@ export interface CellTrace { kind: "cells"; cells: Uint32Array; dropped: number 
  * Hybrid search tree: x, y, heading at its beginning, curvature, signed length (negative: reverse) of each arc as
  * driven, in order of expansion; at most 20 000. Of the last search, where several levels were tried.
  */
-export interface ArcTrace { kind: "arcs"; arcs: Float64Array; dropped: number; shots: Shots }
+export interface ArcTrace { kind: "arcs"; arcs: Float64Array; dropped: number; failedExpansions: FailedExpansions }
 
 export type Trace = CellTrace | ArcTrace;
 
@@ -447,19 +447,19 @@ export interface SearchEvents {
   counters: { expanded: number; generated: number; pushes: number; openPeak: number };
 }
 
-/** Analytic connections that hit something: of each expansion the cheapest that was tried; at most 4000. */
-export interface Shots {
-  /** Per connection: index of its first arc in `arcs`; the next one's is its end. */
+/** Analytic expansions that hit something: of each expanded node the cheapest that was tried; at most 4000. */
+export interface FailedExpansions {
+  /** Each: index of its first arc in `arcs`; the next one's is its end. */
   first: Uint32Array;
   /** Up to where they hit, x, y, heading, curvature, signed length of each arc, as driven. */
   arcs: Float64Array;
-  /** Per connection: x, y, heading of the car where it hits. */
+  /** Each: x, y, heading of the car where it hits. */
   hits: Float64Array;
-  /** Per connection: index in the scene's `obstacles`, or -1 for the border and parked cars of slots. */
+  /** Each: index in the scene's `obstacles`, or -1 for the border and parked cars of slots. */
   obstacles: Int32Array;
-  /** Per connection: how many expansions came before the one that tried it. */
+  /** Each: how many nodes were expanded before the one that tried it. */
   expansions: Uint32Array;
-  /** Connections beyond the cap. */
+  /** Those beyond the cap. */
   dropped: number;
 }
 
@@ -1045,7 +1045,7 @@ export function paperVerdicts(tables: { parking?: ParkingTable[]; road?: RoadTab
  * The seeds of a row's maps, `from` to `to`, on which the risk field taken literally (`fallback: "none"`) finds no
  * path.
  */
-export function paperStranded(slice: { row: string; from: number; to: number }): number[];
+export function paperIncomplete(slice: { row: string; from: number; to: number }): number[];
 
 /** Volumes around the car held against its exact body (figures 4 and 5 of the parking paper). */
 export interface VolumeComparison {

@@ -2,11 +2,11 @@
 
 mod claims;
 pub mod grid;
+pub mod incomplete;
 mod naive_stop;
 pub mod parking;
 pub mod road;
 mod sample;
-pub mod stranded;
 pub mod traditional;
 pub mod verdicts;
 pub mod volumes;

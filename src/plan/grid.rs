@@ -294,7 +294,7 @@ impl Finish<'_> {
             Outcome::GoalBlocked => format!("The goal {} is inside an obstacle{space}.", at(geometry.goal)),
             Outcome::BudgetSpent => format!("Stopped after {} expansions.", self.report.stats.expanded),
             #[cfg(feature = "complete")]
-            Outcome::NoPath if self.report.detail == Some(Detail::Stranded) => {
+            Outcome::NoPath if self.report.detail == Some(Detail::Incomplete) => {
                 format!(
                     "There is a path, but this rule missed it: {} cells were searched.",
                     self.report.stats.expanded

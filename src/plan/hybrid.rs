@@ -107,7 +107,7 @@ impl HybridEngine {
         plan.trace = trace.then(|| PlanTrace::Arcs {
             arcs: core::mem::take(&mut report.tree),
             dropped: report.tree_dropped,
-            shots: core::mem::take(&mut report.shots),
+            failed_expansions: core::mem::take(&mut report.failed_expansions),
         });
         #[cfg(feature = "complete")]
         {

@@ -206,7 +206,7 @@ pub enum PlanTrace {
         /// Arcs beyond the cap.
         dropped: u64,
         /// Analytic connections that hit something.
-        shots: FailedExpansions,
+        failed_expansions: FailedExpansions,
     },
 }
 

@@ -68,7 +68,7 @@ pub fn plan<O: Observer<i64, ()>>(
         // Silent, but of the type that plans are watched with: a second copy of the search saves nothing.
         let sound = Config { stop: Stop::First, ..*config };
         if stopped(query, &sound, scratch, &mut Watch::default()).outcome == Outcome::Found {
-            report.detail = Some(Detail::Stranded);
+            report.detail = Some(Detail::Incomplete);
         }
     }
     report

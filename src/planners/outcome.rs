@@ -39,7 +39,7 @@ pub enum Detail {
     /// No path: on the map there is none; for a car, some gap on every way is narrower than the car and its margin.
     Unreachable,
     /// No path: there is one, but this planner's moves do not lead to it.
-    Stranded,
+    Incomplete,
     /// No path: a place on every way is narrower than the body.
     TooNarrow,
     /// No path: the body would not fit through if it moved in any direction and turned on the spot.
@@ -56,7 +56,7 @@ pub enum Detail {
     LessMargin,
 }
 
-json::words!(Detail: "unreachable" = Unreachable, "stranded" = Stranded, "too-narrow" = TooNarrow,
+json::words!(Detail: "unreachable" = Unreachable, "incomplete" = Incomplete, "too-narrow" = TooNarrow,
     "no-room" = NoRoom, "boxed-in" = BoxedIn, "verification-failed" = VerificationFailed,
     "suboptimal" = Suboptimal, "smoothing-fell-back" = SmoothingFellBack, "less-margin" = LessMargin);
 

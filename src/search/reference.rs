@@ -288,7 +288,7 @@ fn compare<E: Entry>() {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         (state >> 33) % n
     };
-    let (mut memory, mut rejected, mut dearer, mut shots, mut closed, mut missed) =
+    let (mut memory, mut rejected, mut dearer, mut tails, mut closed, mut missed) =
         (PackedScratch::default(), 0, 0, 0, 0, 0);
     for round in 0..150 {
         // Many ties, or hardly any.
@@ -343,8 +343,8 @@ fn compare<E: Entry>() {
         graph.direct = Some((random(NODES as u64) as u32, 1));
         let one = one_way(&graph, ends, 1000, &mut memory, &mut ());
         assert_eq!(one, plain_one_way(&graph, ends), "round {round}");
-        shots += u32::from(one.nodes.len() > 1 && graph.rest(one.nodes[one.nodes.len() - 2]).is_some());
+        tails += u32::from(one.nodes.len() > 1 && graph.rest(one.nodes[one.nodes.len() - 2]).is_some());
     }
     assert!(rejected > 100 && dearer > 0, "{rejected} {dearer}");
-    assert!(shots > 10 && closed > 10 && missed > 0, "{shots} {closed} {missed}");
+    assert!(tails > 10 && closed > 10 && missed > 0, "{tails} {closed} {missed}");
 }

@@ -137,22 +137,22 @@ fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
         PlanTrace::Cells { cells, dropped } => {
             object(&[("kind", "cells".into()), ("cells", u32s(cells)), ("dropped", (*dropped as f64).into())])
         }
-        PlanTrace::Arcs { arcs, dropped, shots } => object(&[
+        PlanTrace::Arcs { arcs, dropped, failed_expansions: failed } => object(&[
             ("kind", "arcs".into()),
             ("arcs", f64s(arcs)),
             ("dropped", (*dropped as f64).into()),
             (
-                "shots",
+                "failedExpansions",
                 object(&[
-                    ("first", u32s(&shots.first)),
-                    ("arcs", f64s(&shots.arcs)),
-                    ("hits", f64s(&shots.hits)),
+                    ("first", u32s(&failed.first)),
+                    ("arcs", f64s(&failed.arcs)),
+                    ("hits", f64s(&failed.hits)),
                     (
                         "obstacles",
-                        i32s(&shots.owners.iter().map(|&o| geometry.owner(o).index()).collect::<Vec<_>>()),
+                        i32s(&failed.owners.iter().map(|&o| geometry.owner(o).index()).collect::<Vec<_>>()),
                     ),
-                    ("expansions", u32s(&shots.expansions)),
-                    ("dropped", (shots.dropped as f64).into()),
+                    ("expansions", u32s(&failed.expansions)),
+                    ("dropped", (failed.dropped as f64).into()),
                 ]),
             ),
         ]),

@@ -19,7 +19,7 @@ use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose, reeds_shepp};
 use crate::import::{self, Question};
 use crate::metrics::risk;
-use crate::papers::{claims, grid, parking, road, stranded, verdicts, volumes};
+use crate::papers::{claims, grid, incomplete, parking, road, verdicts, volumes};
 use crate::plan;
 use crate::scenario::{Obstacle, Scenario, generate, run_length};
 
@@ -288,11 +288,11 @@ pub fn paper_verdicts(parking: JsValue, road: JsValue) -> JsResult {
     judged.map(|judged| codec::write(&judged)).map_err(|e| codec::js_error(&e))
 }
 
-/// Seeds of a row's maps on which the literal risk field is stranded.
-#[wasm_bindgen(js_name = paperStranded)]
-pub fn paper_stranded(row: &str, from: f64, to: f64) -> JsResult {
+/// Seeds of a row's maps on which the literal risk field is incomplete.
+#[wasm_bindgen(js_name = paperIncomplete)]
+pub fn paper_incomplete(row: &str, from: f64, to: f64) -> JsResult {
     let seeds =
-        whole("from", from).and_then(|from| stranded::stranded(grid::row(row)?, from, whole("to", to)?));
+        whole("from", from).and_then(|from| incomplete::incomplete(grid::row(row)?, from, whole("to", to)?));
     seeds.map(|seeds| codec::write(&seeds)).map_err(|e| codec::js_error(&e))
 }
 

@@ -57,12 +57,12 @@ test("the hybrid search's failed connections and the place where there is no way
     return {
       forward: gears.filter((length) => length > 0).length,
       reverse: gears.filter((length) => length < 0).length,
-      shots: trace.shots.first.length,
+      failed: trace.failedExpansions.first.length,
     };
   });
   expect(trace!.forward).toBeGreaterThan(0);
   expect(trace!.reverse).toBeGreaterThan(0);
-  expect(trace!.shots).toBeGreaterThan(0);
+  expect(trace!.failed).toBeGreaterThan(0);
   const shot = () => large.locator("canvas").screenshot();
   const without = await shot();
   await page.getByRole("button", { name: "Layers" }).click();

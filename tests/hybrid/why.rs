@@ -42,29 +42,32 @@ fn failed_connections_lead_from_the_tree_to_what_they_hit() {
         let report = traced(&lot, &config);
         let plain = lot.plan(&config);
         assert_eq!((&plain.arcs, plain.collision_checks), (&report.arcs, report.collision_checks));
-        assert!(plain.tree.is_empty() && plain.shots.first.is_empty());
+        assert!(plain.tree.is_empty() && plain.failed_expansions.first.is_empty());
 
         let mirrored = search_from == SearchFrom::Goal;
         let poses = reached(&report, pose(if mirrored { lot.goal } else { lot.start }), mirrored);
         let gears = [1.0, -1.0].map(|gear| report.tree.chunks(5).filter(|arc| arc[4] * gear > 0.0).count());
         assert!(gears[0] > 10 && (!mirrored || gears[1] > 10), "{gears:?}");
 
-        let shots = &report.shots;
-        let count = shots.first.len();
-        assert!(count > 10 && shots.dropped == 0, "{count}");
-        assert_eq!((shots.hits.len(), shots.owners.len(), shots.expansions.len()), (3 * count, count, count));
+        let failed = &report.failed_expansions;
+        let count = failed.first.len();
+        assert!(count > 10 && failed.dropped == 0, "{count}");
+        assert_eq!(
+            (failed.hits.len(), failed.owners.len(), failed.expansions.len()),
+            (3 * count, count, count)
+        );
         for k in 0..count {
-            let end = shots.first.get(k + 1).map_or(shots.arcs.len() / 5, |&f| f as usize);
-            let mut at = poses[shots.expansions[k] as usize];
-            for arc in shots.arcs[5 * shots.first[k] as usize..5 * end].chunks(5) {
+            let end = failed.first.get(k + 1).map_or(failed.arcs.len() / 5, |&f| f as usize);
+            let mut at = poses[failed.expansions[k] as usize];
+            for arc in failed.arcs[5 * failed.first[k] as usize..5 * end].chunks(5) {
                 let (from, to) = (pose_of(arc), pose_of(arc).advance(arc[3], arc[4]));
                 assert!(near(at, if mirrored { to } else { from }), "{k}");
                 at = if mirrored { from } else { to };
             }
-            let hit = pose_of(&shots.hits[3 * k..]);
+            let hit = pose_of(&failed.hits[3 * k..]);
             assert!((hit.point() - at.point()).norm() < 0.02, "{k}: {at:?} {hit:?}");
             // What is hit is within the margin, and nothing else stands in this lot.
-            assert_eq!(shots.owners[k], BORDER);
+            assert_eq!(failed.owners[k], BORDER);
             let obstacles = lot.obstacles();
             let checker = parkade::vehicle::collision::CollisionChecker::new(&obstacles, &CAR);
             assert!(checker.hit(obstacles.local(hit), 0.1).is_some(), "{k}");
@@ -77,8 +80,11 @@ fn failed_connections_lead_from_the_tree_to_what_they_hit() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn two_trees_show_their_failed_connections() {
     let report = traced(&Lot::of("L2"), &Config::bidirectional());
-    assert!(report.shots.first.len() > 5);
-    assert!(report.shots.expansions.windows(2).all(|w| w[0] < w[1]), "one an expansion, in order");
+    assert!(report.failed_expansions.first.len() > 5);
+    assert!(
+        report.failed_expansions.expansions.windows(2).all(|w| w[0] < w[1]),
+        "one an expansion, in order"
+    );
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]

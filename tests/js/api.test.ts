@@ -165,7 +165,7 @@ describe("after init", () => {
     if (trace?.kind !== "arcs") throw new Error("no tree");
     expect(trace.arcs.length).toBeGreaterThan(500);
     expect(trace.arcs.length).toBeLessThanOrEqual(5 * stats.expanded);
-    const { first, hits, obstacles, expansions, arcs, dropped } = trace.shots;
+    const { first, hits, obstacles, expansions, arcs, dropped } = trace.failedExpansions;
     expect(first.length).toBeGreaterThan(20);
     expect([hits.length, obstacles.length, expansions.length, arcs.length % 5, dropped]).toEqual([
       3 * first.length,

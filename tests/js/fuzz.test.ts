@@ -175,7 +175,7 @@ function calls(): [name: string, run: (...args: never[]) => unknown, args: unkno
     ["paperRoad", parkade.paperRoad, [{ row: "none", rounds: 1 }]],
     ["paperParking", parkade.paperParking, [{ row: "none", rounds: 1 }]],
     ["paperVerdicts", parkade.paperVerdicts, [{ parking: [], road: [] }]],
-    ["paperStranded", parkade.paperStranded, [{ row: "none", from: 1, to: 1 }]],
+    ["paperIncomplete", parkade.paperIncomplete, [{ row: "none", from: 1, to: 1 }]],
     ["paperVolumes", parkade.paperVolumes, [{ scene: "none", poses: 10, seed: 1, rounds: 1 }]],
     ["audit", parkade.audit, [lot, { vehicles: ["compact"], entries: ["head-in"] }]],
     ["affectedRows", parkade.affectedRows, [lot, { ...lot, obstacles: [] }, parkade.audit(lot), {}]],

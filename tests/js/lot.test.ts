@@ -88,6 +88,22 @@ function overlap(a: readonly Point[], b: readonly Point[]): boolean {
   );
 }
 
+/** The same for a square along the axes, by its centre: the outline is projected once, not for every square. */
+function overlapsSquare(outline: readonly Point[], half: number): (x: number, y: number) => boolean {
+  const edges = outline.map((p, i): Point => {
+    const q = outline[(i + 1) % outline.length]!,
+      length = Math.hypot(q[0] - p[0], q[1] - p[1]);
+    return [(q[1] - p[1]) / length, (p[0] - q[0]) / length];
+  });
+  const normals: Point[] = [...edges, [1, 0], [0, 1]],
+    ranges = normals.map(([nx, ny]) => {
+      const along = outline.map(([x, y]) => x * nx + y * ny),
+        reach = half * (Math.abs(nx) + Math.abs(ny)) - 1e-6;
+      return { nx, ny, low: Math.min(...along) - reach, high: Math.max(...along) + reach };
+    });
+  return (x, y) => ranges.every(({ nx, ny, low, high }) => x * nx + y * ny > low && x * nx + y * ny < high);
+}
+
 function outlineOf(obstacle: Obstacle): Point[] {
   if (obstacle.type === "rectangle") return rectangleCorners(obstacle);
   if (obstacle.type !== "wall") throw new Error(`a lot has no ${obstacle.type}`);
@@ -127,12 +143,6 @@ function unreachable(scene: Scene): string[] {
     rows = Math.ceil(depth / STEP),
     closed = new Uint8Array(columns * rows),
     reached = new Uint8Array(columns * rows);
-  const square = (x: number, y: number): Point[] => [
-    [x - half, y - half],
-    [x + half, y - half],
-    [x + half, y + half],
-    [x - half, y + half],
-  ];
   const middle = (i: number): number => (i + 0.5) * STEP,
     near = (low: number, high: number, most: number): [number, number] => [
       Math.max(0, Math.floor((low - half) / STEP)),
@@ -145,10 +155,11 @@ function unreachable(scene: Scene): string[] {
   ]) {
     const box = boxOf(outline),
       [left, right] = near(box.minX, box.maxX, columns),
-      [low, high] = near(box.minY, box.maxY, rows);
+      [low, high] = near(box.minY, box.maxY, rows),
+      overlaps = overlapsSquare(outline, half);
     for (let j = low; j <= high; j++)
       for (let i = left; i <= right; i++)
-        if (!closed[j * columns + i] && overlap(outline, square(middle(i), middle(j)))) closed[j * columns + i] = 1;
+        if (!closed[j * columns + i] && overlaps(middle(i), middle(j))) closed[j * columns + i] = 1;
   }
   const from = fromPose(start, (vehicle.rearToFront - vehicle.rearToBack) / 2, 0),
     open: [number, number][] = [[Math.floor(from[0] / STEP), Math.floor(from[1] / STEP)]];

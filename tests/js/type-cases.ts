@@ -80,7 +80,7 @@ export function failing(): Record<string, [PlannerId, Scenario, object?]> {
     box: ["hybrid-forward", box],
     cells: ["eight", walled],
     road: ["cost-map", walled],
-    stranded: [
+    incomplete: [
       "risk-field",
       parkade.generateScenario({ family: "random", size: 40, seed: 2, densityPermille: 300 }),
       { fallback: "none" },

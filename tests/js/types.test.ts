@@ -302,7 +302,7 @@ describe("what the package answers is of the types that it declares:", () => {
     const lots = (api.call("paperParkingRows") as { id: string }[]).map(({ id: row }) =>
       api.call("paperParking", { row }),
     );
-    api.call("paperStranded", { row: "regular-30", from: 1, to: 40 });
+    api.call("paperIncomplete", { row: "regular-30", from: 1, to: 40 });
     api.call("paperVolumes", { scene: "park-fig13", poses: 500 });
     const road = api.call("paperRoadRows") as { id: string; ship: boolean }[];
     const [cars, ships] = [false, true].map((wanted) =>

@@ -11,7 +11,7 @@ const sceneOf = (row: string): string => `fig${row.startsWith("random") ? 9 : 8}
 /** What the printed column "path length" may mean. */
 const READINGS = ["lengthRaw", "lengthPruned", "lengthDp", "lengthSmoothed"] as const;
 
-export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measured): Page {
+export function riskField(lang: Lang, { seeds, columns, grid, incomplete }: Measured): Page {
   const t = words(lang),
     nodes = columns.indexOf("generated"),
     length = columns.indexOf("lengthPruned");
@@ -42,13 +42,13 @@ export function riskField(lang: Lang, { seeds, columns, grid, stranded }: Measur
       ),
       text(
         t(
-          `Straight line ${fixed(straight)} cells. Scene: \`${scene}\`. Taken literally the risk field is stranded ` +
-            `on ${stranded[id]!.length} of 200 maps (seeds ${stranded[id]!.slice(0, 6).join(", ")}${
-              stranded[id]!.length > 6 ? ", …" : ""
+          `Straight line ${fixed(straight)} cells. Scene: \`${scene}\`. Taken literally the risk field finds no path ` +
+            `on ${incomplete[id]!.length} of 200 maps (seeds ${incomplete[id]!.slice(0, 6).join(", ")}${
+              incomplete[id]!.length > 6 ? ", …" : ""
             }).`,
-          `直线距离 ${fixed(straight)} 格。场景：\`${scene}\`。照字面执行时，200 张地图中有 ${stranded[id]!.length} 张找不到路径（种子 ${stranded[
+          `直线距离 ${fixed(straight)} 格。场景：\`${scene}\`。照字面执行时，200 张地图中有 ${incomplete[id]!.length} 张找不到路径（种子 ${incomplete[
             id
-          ]!.slice(0, 6).join("、")}${stranded[id]!.length > 6 ? " 等" : ""}）。`,
+          ]!.slice(0, 6).join("、")}${incomplete[id]!.length > 6 ? " 等" : ""}）。`,
         ),
       ),
       table(

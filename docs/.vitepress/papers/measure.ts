@@ -8,7 +8,7 @@ import {
   paperParkingRows,
   paperRoad,
   paperRoadRows,
-  paperStranded,
+  paperIncomplete,
   paperVerdicts,
   paperVolumes,
 } from "../../../pkg/node.js";
@@ -20,7 +20,7 @@ export interface Measured {
   seeds: number;
   columns: string[];
   grid: { tables: PaperTable[]; claims: PaperClaim[] };
-  stranded: Record<string, number[]>;
+  incomplete: Record<string, number[]>;
   parking: ParkingTable[];
   road: RoadTable[];
   verdicts: ReturnType<typeof paperVerdicts>;
@@ -38,7 +38,7 @@ export function measure(seeds: number): Measured {
     parking,
     road,
     grid: paperGridSummary(Object.fromEntries(rows.map(({ id }) => [id, paperGrid(slice(id))]))),
-    stranded: Object.fromEntries(rows.map(({ id }) => [id, paperStranded({ row: id, from: 1, to: 200 })])),
+    incomplete: Object.fromEntries(rows.map(({ id }) => [id, paperIncomplete({ row: id, from: 1, to: 200 })])),
     verdicts: paperVerdicts({ parking, road }),
     volumes: ["P0", "park-fig13", "reverse-in"].map((scene) => paperVolumes({ scene, poses: 50_000, rounds: 3 })),
   };

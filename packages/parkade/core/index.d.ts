@@ -5,9 +5,10 @@ import type { GridPlannerId, HybridPlannerId, PlannerId, PlannerSettings } from 
 
 export { ParkadeError, init, packRuns, scenarios, unpackRuns, version } from "../index.js";
 export type {
-  ArcTrace, CellTrace, Check, CostArea, Detail, ErrorCode, Goal, GridMetrics, GridStats, Hit, HybridMetrics,
-  HybridStats, Lane, Layer, MapFrame, Metrics, MovingObstacle, Obstacle, Obstruction, Outcome, ParameterInfo,
-  PathMetrics, Pose, Road, Run, ScenarioInfo, SceneVehicle, SearchStats, Shots, Slot, SpeedLimit, Stats, Trace, Vehicle,
+  ArcTrace, CellTrace, Check, CostArea, Detail, ErrorCode, FailedExpansions, Goal, GridMetrics, GridStats, Hit,
+  HybridMetrics, HybridStats, Lane, Layer, MapFrame, Metrics, MovingObstacle, Obstacle, Obstruction, Outcome,
+  ParameterInfo, PathMetrics, Pose, Road, Run, ScenarioInfo, SceneVehicle, SearchStats, Slot, SpeedLimit,
+  Stats, Trace, Vehicle,
 } from "../index.js";
 export type * from "./settings.js";
 

@@ -34,7 +34,7 @@ use crate::scenario::{Lane, LaneLeg, SpeedLimit};
 use crate::search::{Domain, Fate, Finish, NodeId, Order, Relax, Told, Visit};
 
 /// Speed at which no place is slow, m/s.
-const PACE: f64 = 10.0;
+const FREE_SPEED: f64 = 10.0;
 /// Comfortable lateral acceleration, m/s².
 const LATERAL: f64 = 2.0;
 /// The lane term counts no more than this.
@@ -122,11 +122,11 @@ impl CostMap {
                     let near = ((f64::from(kerb[index]) - radius) / last).clamp(0.0, 1.0);
                     let limit = SpeedLimit::lowest_at(&traffic.limits, point)
                         .min((LATERAL / bend.abs()).sqrt())
-                        .min(PACE);
+                        .min(FREE_SPEED);
                     base(clearance, enough)
                         + config.lane_weight * (off * off).min(LANE_MOST)
                         + config.kerb_weight * (1.0 - near) * (1.0 - near)
-                        + config.speed_weight * (PACE / limit - 1.0)
+                        + config.speed_weight * (FREE_SPEED / limit - 1.0)
                 }
             };
             soft + keeps.surcharge(clearance)

@@ -48,7 +48,7 @@ pub struct FailedExpansions {
 
 /// Watches the connections of one search.
 pub(super) struct Recorder {
-    pub(super) shots: FailedExpansions,
+    pub(super) failed: FailedExpansions,
     /// World position of the local origin.
     origin: Pose,
     expansions: u32,
@@ -56,7 +56,7 @@ pub(super) struct Recorder {
 
 impl Recorder {
     pub(super) fn new(origin: Pose) -> Self {
-        Self { shots: FailedExpansions::default(), origin, expansions: 0 }
+        Self { failed: FailedExpansions::default(), origin, expansions: 0 }
     }
 
     /// A search has expanded a pose without a try.
@@ -77,11 +77,11 @@ impl Recorder {
         let expansion = self.expansions;
         self.expansions += 1;
         let Some(word) = missed else { return };
-        if self.shots.owners.len() >= MAX_RECORDED {
-            self.shots.dropped += 1;
+        if self.failed.owners.len() >= MAX_RECORDED {
+            self.failed.dropped += 1;
             return;
         }
-        let begin = self.shots.arcs.len();
+        let begin = self.failed.arcs.len();
         let mut from = pose;
         for arc in word.arcs(radius) {
             let far = checker.free_length(from, &arc, spacing, margin);
@@ -94,22 +94,22 @@ impl Recorder {
                 let beyond = (far + spacing / 16.0).min(arc.length.abs()).copysign(arc.length);
                 let beyond = from.advance(arc.curvature, beyond);
                 let Some(owner) = checker.hit(beyond, margin) else { break };
-                self.shots.first.push((begin / 5) as u32);
-                self.shots.owners.push(owner);
-                self.shots.expansions.push(expansion);
-                self.shots.hits.extend([beyond.x + self.origin.x, beyond.y + self.origin.y, beyond.heading]);
+                self.failed.first.push((begin / 5) as u32);
+                self.failed.owners.push(owner);
+                self.failed.expansions.push(expansion);
+                self.failed.hits.extend([beyond.x + self.origin.x, beyond.y + self.origin.y, beyond.heading]);
                 return;
             }
             from = end;
         }
         // What the search saw between two checks is not there at these.
-        self.shots.arcs.truncate(begin);
+        self.failed.arcs.truncate(begin);
     }
 
     /// Adds an arc as the car drives it; in a tree that grows from the goal that is the other direction.
     fn keep(&mut self, from: Pose, arc: &Arc, mirrored: bool) {
         let length = if mirrored { -arc.length } else { arc.length };
         let (x, y) = (from.x + self.origin.x, from.y + self.origin.y);
-        self.shots.arcs.extend([x, y, from.heading, arc.curvature, length]);
+        self.failed.arcs.extend([x, y, from.heading, arc.curvature, length]);
     }
 }

@@ -75,7 +75,7 @@ pub struct Report {
     /// Tree arcs beyond the cap.
     pub tree_dropped: u64,
     /// Connections that hit something, of the same search.
-    pub shots: FailedExpansions,
+    pub failed_expansions: FailedExpansions,
     /// The events of the same search, where [`Scratch::record`](super::Scratch::record) asks for them.
     #[cfg(feature = "complete")]
     pub recorded: Option<PoseRecording>,
@@ -99,7 +99,7 @@ impl Report {
             obstruction: None,
             tree: Vec::new(),
             tree_dropped: 0,
-            shots: FailedExpansions::default(),
+            failed_expansions: FailedExpansions::default(),
             #[cfg(feature = "complete")]
             recorded: None,
         }

@@ -13,37 +13,15 @@ use super::report::{Report, Status};
 use crate::vehicle::collision::CollisionChecker;
 
 impl Config {
-    /// The prices by which paths are compared, in metres.
-    fn prices(&self) -> [f64; 5] {
-        let config = self.with_profile();
-        [
-            config.reverse_cost,
-            config.direction_change_cost,
-            config.steer_cost,
-            config.steer_change_cost,
-            config.obstacle_cost,
-        ]
-    }
-
-    /// The same with the usual prices.
-    fn with_usual_prices(self) -> Self {
-        let Self {
-            reverse_cost,
-            direction_change_cost,
-            steer_cost,
-            steer_change_cost,
-            obstacle_cost,
-            obstacle_distance,
-            ..
-        } = Self::default();
+    /// The same with the prices of other settings, by which paths are compared.
+    fn with_prices_of(self, other: &Self) -> Self {
         Self {
             profile: Profile::Practical,
-            reverse_cost,
-            direction_change_cost,
-            steer_cost,
-            steer_change_cost,
-            obstacle_cost,
-            obstacle_distance,
+            reverse_cost: other.reverse_cost,
+            direction_change_cost: other.direction_change_cost,
+            steer_cost: other.steer_cost,
+            steer_change_cost: other.steer_change_cost,
+            obstacle_cost: other.obstacle_cost,
             ..self
         }
     }
@@ -53,9 +31,9 @@ impl Config {
         // A single search was asked for, or the first connection.
         let is_whole = self.ladder && !self.first_shot;
         let usual = Self::default();
-        let is_priced = is_whole && self.prices() != usual.prices();
+        let is_priced = is_whole && usual.with_prices_of(&self.with_profile()) != usual;
         let is_close = is_whole && self.margin < usual.margin && (report.level > 0 || report.arcs.is_empty());
-        let priced = is_priced.then(|| self.with_usual_prices());
+        let priced = is_priced.then(|| self.with_prices_of(&usual));
         priced.into_iter().chain(is_close.then_some(Self { margin: usual.margin, ..*self }))
     }
 }

@@ -97,7 +97,7 @@ impl Report {
                 tree
             };
             (self.tree, self.tree_dropped) = (tree.arcs, tree.dropped);
-            self.shots = core::mem::take(&mut watch.borrow_mut().shots);
+            self.failed_expansions = core::mem::take(&mut watch.borrow_mut().failed);
         }
     }
 }

@@ -75,7 +75,7 @@ pub fn plan<O: Observer<i64, ()>>(
     };
     let incomplete = matches!(config.fallback, Fallback::StuckOnly | Fallback::None);
     if report.outcome == Outcome::NoPath && incomplete && is_reachable(query, config.common.corner, scratch) {
-        report.detail = Some(Detail::Stranded);
+        report.detail = Some(Detail::Incomplete);
     }
     report
 }

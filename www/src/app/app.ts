@@ -109,7 +109,7 @@ export class App {
     void Promise.race([wanted, whenWhole(this.folders)]).then(() =>
       requestIdle(() => void this.complete().catch(() => undefined)),
     );
-    if (syncAddress) requestIdle(() => void this.remember());
+    if (syncAddress) requestIdle(() => void this.writeAddress());
   }
 
   /** Every planner and format, which the first picture does not wait for. */
@@ -128,11 +128,11 @@ export class App {
     const stop = this.store.subscribe((state, previous) => {
       if (!state.canUndo || state.scene === previous.scene) return;
       stop();
-      void this.remember();
+      void this.writeAddress();
     });
   }
 
-  private remember(): Promise<void> {
+  private writeAddress(): Promise<void> {
     return (this.remembering ??= this.keepDrawing());
   }
 

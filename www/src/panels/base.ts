@@ -4,7 +4,7 @@ import { number, translate, type MessageKey, type Values } from "../i18n/index";
 import type { State } from "../store";
 
 /** Resolves in the frame in which an element has a box, before that is painted. */
-function boxed(element: Element): Promise<void> {
+function whenVisible(element: Element): Promise<void> {
   return new Promise((done) => {
     const observer = new ResizeObserver(([entry]) => {
       if (!entry || entry.contentRect.width === 0) return;
@@ -20,7 +20,7 @@ export abstract class AppElement extends LitElement {
   static override properties = { app: { attribute: false } };
   declare app: App;
   /** Least milliseconds between redraws during a drag, for what the eye does not follow. */
-  protected pace = 0;
+  protected redrawMs = 0;
   /** True if it is only built when there is room for it: many an embedded playground never shows its panels. */
   protected waits = false;
   private room: Promise<void> | null = null;
@@ -52,7 +52,7 @@ export abstract class AppElement extends LitElement {
   // one.
   protected override shouldUpdate(): boolean {
     if (!this.waits) return true;
-    this.room ??= boxed(this).then(() => {
+    this.room ??= whenVisible(this).then(() => {
       this.waits = false;
       this.requestUpdate("app");
     });
@@ -61,7 +61,9 @@ export abstract class AppElement extends LitElement {
 
   protected override async scheduleUpdate(): Promise<void> {
     const wait =
-      this.hasUpdated && this.pace > 0 && this.state.transient ? this.drawnAt + this.pace - performance.now() : 0;
+      this.hasUpdated && this.redrawMs > 0 && this.state.transient
+        ? this.drawnAt + this.redrawMs - performance.now()
+        : 0;
     if (wait > 0) await new Promise((done) => setTimeout(done, wait));
     this.drawnAt = performance.now();
     super.scheduleUpdate();

@@ -105,7 +105,7 @@ export class Charts extends AppElement {
   ];
 
   declare axis: Axis;
-  protected override pace = 100;
+  protected override redrawMs = 100;
   protected override waits = true;
   private cached: (Pick<State, "results" | "focus" | "hidden" | "guest"> & { axis: Axis; content: Content }) | null =
     null;

@@ -176,7 +176,7 @@ export class Debugger extends AppElement {
     replay.nameOf = (obstacle) => obstacleName(this.state, obstacle);
     if (trace.kind === "search") this.layer = new SearchStepsLayer(replay, trace);
     else {
-      const failures = new FailedConnections(trace.tree.shots);
+      const failures = new FailedConnections(trace.tree.failedExpansions);
       this.failures = failures;
       this.session.fails = failures.has;
       this.layer = { draw: (frame) => drawPoseStep(frame, replay, failures.at(replay.step), planner) };

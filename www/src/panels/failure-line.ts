@@ -50,7 +50,7 @@ export class FailureLine extends AppElement {
     this.short = false;
   }
 
-  protected override pace = 100;
+  protected override redrawMs = 100;
   protected watches(): readonly (keyof State)[] {
     return ["results", "focus", "hidden", "planners"];
   }

@@ -35,7 +35,7 @@ export class GroundCard extends AppElement {
   ];
   /** What was typed last, and why it cannot be. */
   declare refused: { field: Field; text: string; reason: string } | null;
-  protected override pace = 100;
+  protected override redrawMs = 100;
 
   constructor() {
     super();

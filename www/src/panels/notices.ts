@@ -31,7 +31,7 @@ export class Notices extends AppElement {
     @keyframes appear { from { opacity: 0; transform: translateY(-4px); } }
   `,
   ];
-  protected override pace = 100;
+  protected override redrawMs = 100;
   /** By its language. */
   declare spoken: Partial<Record<State["lang"], string>>;
   private quiet: ReturnType<typeof setTimeout> | undefined;

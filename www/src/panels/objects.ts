@@ -55,7 +55,7 @@ export class ObjectList extends AppElement {
   `,
   ];
 
-  protected override pace = 100;
+  protected override redrawMs = 100;
   protected watches(): readonly (keyof State)[] {
     return ["scene", "selection"];
   }

@@ -132,7 +132,7 @@ export class PlannerPanel extends AppElement {
     waiting.delete(this.drawAgain);
   }
 
-  protected override pace = 100;
+  protected override redrawMs = 100;
   private readonly drawAgain = (): void => this.requestUpdate();
 
   protected watches(): readonly (keyof State)[] {

@@ -94,7 +94,7 @@ export class PapersGrid extends PapersTab<Summary> {
       this.progress = progress;
       if (summary) this.summary = last = summary;
     });
-    if (whole) this.lost = await papers.stranded(seeds);
+    if (whole) this.lost = await papers.incomplete(seeds);
   }
 
   private range(): TemplateResult {
@@ -169,7 +169,7 @@ export class PapersGrid extends PapersTab<Summary> {
           ? html`<p class="note">${say(lang, "straight", { length })}</p>`
           : nothing
       }
-      ${this.readings(table)}${this.stranded(table)}${
+      ${this.readings(table)}${this.incomplete(table)}${
         this.running
           ? nothing
           : this.pictures(
@@ -217,8 +217,8 @@ export class PapersGrid extends PapersTab<Summary> {
         )}</tbody></table></div></details>`;
   }
 
-  /** The maps on which the literal planner is stranded, each to open. */
-  private stranded({ row: { id, size }, maps }: PaperTable): TemplateResult | typeof nothing {
+  /** The maps on which the literal planner is incomplete, each to open. */
+  private incomplete({ row: { id, size }, maps }: PaperTable): TemplateResult | typeof nothing {
     const { lang } = this.state,
       seeds = this.lost[id];
     if (!seeds || this.running) return nothing;
@@ -228,7 +228,7 @@ export class PapersGrid extends PapersTab<Summary> {
       this.app.store.set({ planners: ["risk-field", "eight"], focus: "risk-field" });
       this.app.openScene({ ...scene, planners: { "risk-field": { fallback: "none" } } });
     };
-    return html`<p class="note">${say(lang, "stranded", { n: seeds.length, maps })}
+    return html`<p class="note">${say(lang, "incomplete", { n: seeds.length, maps })}
       ${seeds.map(
         (seed) => html`<button class="link" @click=${() => void open(seed)}>${say(lang, "seed", { seed })}</button> `,
       )}</p>`;

@@ -53,7 +53,7 @@ export class Parameters extends AppElement {
     .more { margin-top: 6px; }
   `,
   ];
-  protected override pace = 100;
+  protected override redrawMs = 100;
   declare all: boolean;
 
   constructor() {

@@ -52,7 +52,7 @@ export class RoadCard extends AppElement {
   declare risk: { of: Plan; value: Risk; trials: number } | null;
   declare running: boolean;
   declare failure: Said | null;
-  protected override pace = 100;
+  protected override redrawMs = 100;
   private measures: RoadMeasures | null = null;
   private quiet: ReturnType<typeof setTimeout> | undefined;
   private asked: Plan | null = null;

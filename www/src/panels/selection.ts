@@ -58,7 +58,7 @@ export class SelectionCard extends AppElement {
   `,
   ];
 
-  protected override pace = 100;
+  protected override redrawMs = 100;
 
   protected watches(): readonly (keyof State)[] {
     return ["scene", "selection", "results"];

@@ -26,7 +26,7 @@ export class SmoothSwitch extends AppElement {
   `,
   ];
   declare planner: PlannerId;
-  protected override pace = 100;
+  protected override redrawMs = 100;
 
   protected watches(): readonly (keyof State)[] {
     return ["results", "smooth", "scene", "complete", "hidden"];

@@ -69,7 +69,7 @@ export class MetricsTable extends AppElement {
   declare compact: boolean;
   declare copied: boolean;
   declare benching: boolean;
-  protected override pace = 100;
+  protected override redrawMs = 100;
   protected override waits = true;
   private readonly menus = new Menus<"copy">(this);
 

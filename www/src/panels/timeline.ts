@@ -71,7 +71,7 @@ export class Timeline extends AppElement {
     this.compact = this.folded = false;
   }
 
-  protected override pace = 100;
+  protected override redrawMs = 100;
 
   protected watches(): readonly (keyof State)[] {
     return ["playback", "results", "focus", "hidden", "waiting", "scene", "follow", "guest"];

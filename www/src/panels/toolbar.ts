@@ -133,7 +133,7 @@ export class Toolbar extends AppElement {
   declare inspecting: boolean;
   declare ready: boolean;
   declare shared: boolean;
-  protected override pace = 100;
+  protected override redrawMs = 100;
   readonly menus = new Menus<MenuName>(this);
 
   constructor() {

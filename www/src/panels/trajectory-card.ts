@@ -36,7 +36,7 @@ export class TrajectoryCard extends AppElement {
     @media (pointer: coarse) { label { min-height: 44px; } }
   `,
   ];
-  protected override pace = 100;
+  protected override redrawMs = 100;
 
   protected watches(): readonly (keyof State)[] {
     return ["focus", "results", "smooth", "scene", "transient"];

@@ -30,7 +30,7 @@ export class VehicleCard extends AppElement {
   `,
   ];
 
-  protected override pace = 100;
+  protected override redrawMs = 100;
   protected watches(): readonly (keyof State)[] {
     return ["scene"];
   }

@@ -42,7 +42,7 @@ export class ViewControls extends AppElement {
   ];
 
   declare compact: boolean;
-  protected override pace = 100;
+  protected override redrawMs = 100;
 
   protected watches(): readonly (keyof State)[] {
     return ["camera", "results", "planners", "hidden", "mode", "scene", "follow"];

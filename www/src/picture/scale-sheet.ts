@@ -1,5 +1,5 @@
 /** A drawing on paper at a true scale: an SVG whose units are millimetres, with scale bar and title block. */
-import { Refusal } from "../i18n/refusal";
+import { refused } from "../i18n/refusal";
 import { rule } from "../i18n/rule";
 import { boxOf, type Box, type Point } from "../scene/geometry";
 import { escaped } from "./canvas";
@@ -75,7 +75,7 @@ const FILLED: Partial<Record<DrawingLayer, string>> = { obstacles: "#C9CCD1", pa
 export function sheetSvg(sheet: Sheet): { svg: string; paper: Paper } {
   const box = boxOfDrawing(sheet.drawing),
     paper = paperFor(box, sheet.scale);
-  if (!paper) throw new Refusal(rule`At 1:${sheet.scale} the drawing is larger than A0 paper; choose a smaller scale.`);
+  if (!paper) throw refused(rule`At 1:${sheet.scale} the drawing is larger than A0 paper; choose a smaller scale.`);
   const [width, height] = PAPERS[paper],
     [across, up] = sizeOn(box, sheet.scale),
     left = (width - across) / 2,

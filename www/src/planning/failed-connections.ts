@@ -26,21 +26,21 @@ export interface FailedConnection {
 export class FailedConnections {
   private readonly numbers: ReadonlyMap<number, number>;
 
-  constructor(private readonly shots: ArcTrace["shots"]) {
-    this.numbers = new Map([...shots.expansions].map((step, number) => [step, number]));
+  constructor(private readonly failed: ArcTrace["failedExpansions"]) {
+    this.numbers = new Map([...failed.expansions].map((step, number) => [step, number]));
   }
 
   has = (step: number): boolean => this.numbers.has(step);
 
   at(step: number): FailedConnection | null {
     const number = this.numbers.get(step),
-      { shots } = this;
+      { failed } = this;
     if (number === undefined) return null;
     const arcs: DrivenArc[] = [];
-    for (let at = nth(shots.first, number); at < (shots.first[number + 1] ?? shots.arcs.length / FIELDS); at++)
-      arcs.push(arcOf(shots.arcs, at));
+    for (let at = nth(failed.first, number); at < (failed.first[number + 1] ?? failed.arcs.length / FIELDS); at++)
+      arcs.push(arcOf(failed.arcs, at));
     const length = arcs.reduce((sum, one) => sum + Math.abs(one.length), 0);
-    return { arcs, hit: poseAt(shots.hits, number), obstacle: nth(shots.obstacles, number), length };
+    return { arcs, hit: poseAt(failed.hits, number), obstacle: nth(failed.obstacles, number), length };
   }
 }
 

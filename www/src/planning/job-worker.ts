@@ -41,7 +41,7 @@ import {
   paperParkingRows,
   paperRoad,
   paperRoadRows,
-  paperStranded,
+  paperIncomplete,
   paperVerdicts,
   paperVolumes,
   roadFigures,
@@ -204,7 +204,7 @@ const JOBS = {
   compared: ({ scene, planner }: { scene: string; planner: PlannerId }): Compared => compare(ENGINE, scene, planner),
   swept: ({ scene, swept }: { scene: string; swept: Swept }): Sample[] => sweep(ENGINE, scene, swept),
   envelope: ({ scene }: { scene: string }): Float64Array => envelope(ENGINE, scene),
-  stranded: (slice: { row: string; from: number; to: number }): number[] => paperStranded(slice),
+  incomplete: (slice: { row: string; from: number; to: number }): number[] => paperIncomplete(slice),
   volumes: (options: { scene: string; poses: number; rounds: number }): VolumeComparison => paperVolumes(options),
 };
 

@@ -85,12 +85,12 @@ export class Papers {
     }
   }
 
-  /** The seeds on which the literal risk field is stranded, by row. */
-  async stranded(seeds: Seeds): Promise<Record<string, number[]>> {
+  /** The seeds on which the literal risk field is incomplete, by row. */
+  async incomplete(seeds: Seeds): Promise<Record<string, number[]>> {
     const helper = new Helper(this.engine);
     try {
       const found = this.rows.map(
-        async ({ id }) => [id, await helper.call("stranded", { row: id, ...seeds })] as const,
+        async ({ id }) => [id, await helper.call("incomplete", { row: id, ...seeds })] as const,
       );
       return Object.fromEntries(await Promise.all(found));
     } finally {

@@ -5,7 +5,7 @@ type Name = "t" | "x" | "y" | "theta" | "v" | "phi" | "a" | "omega" | "gear";
 export type Columns = Partial<Record<Name, number[]>>;
 
 /** Limits of the profile that gives a path times: those of the referee, m/s and m/s². */
-const PACE = { speed: 2.5, acceleration: 1 };
+const PROFILE_LIMITS = { speed: 2.5, acceleration: 1 };
 /** Motions shorter than this tell no direction and no curvature, metres. */
 const SHORTEST = 1e-6;
 
@@ -83,7 +83,7 @@ function timesOf(steps: readonly number[], duration: number): Float64Array {
 
 /** Seconds after which a run of `length` metres has come to `along`. */
 function timeAt(along: number, length: number): number {
-  const { speed, acceleration } = PACE,
+  const { speed, acceleration } = PROFILE_LIMITS,
     top = Math.min(speed, Math.sqrt(length * acceleration)),
     ramp = (top * top) / (2 * acceleration);
   const total = top > 0 ? (2 * top) / acceleration + (length - 2 * ramp) / top : 0;

@@ -1,5 +1,5 @@
 /** Scenes as files. */
-import { Refusal } from "../i18n/refusal";
+import { refused } from "../i18n/refusal";
 import { rule } from "../i18n/rule";
 import type { GivenScenario, Scenario } from "./scenario";
 
@@ -52,7 +52,7 @@ export function checkScene(value: unknown): Scenario {
   }
   for (const key of ["obstacles", "slots", "costs"]) {
     if (value[key] !== undefined && !Array.isArray(value[key]))
-      throw new Refusal(rule`This scene's ${key} are not a list.`);
+      throw refused(rule`This scene's ${key} are not a list.`);
   }
   return value as unknown as Scenario;
 }

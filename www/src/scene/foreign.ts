@@ -1,6 +1,6 @@
 /** Scenes that come from outside: links, files, messages, storage, other pages. */
 import type { SceneGeometry } from "parkade";
-import { Refusal } from "../i18n/refusal";
+import { refused } from "../i18n/refusal";
 import type { Run } from "./cells";
 import { ensureIds } from "./model";
 import type { GivenScenario, Scenario } from "./scenario";
@@ -45,11 +45,11 @@ export function bounded<Given extends GivenScenario>(scene: Given): Given {
 
 function limit(path: string, unit: string, count: number, most: number): void {
   if (count <= most) return;
-  throw new Refusal({
+  throw refused({
     path,
     message: `${path}: must be at most ${most} ${unit}, got ${count}`,
     template: `must be at most {} ${unit}, got {}`,
-    values: [`${most}`, `${count}`],
+    values: [most, count].map(String),
   });
 }
 

@@ -7,7 +7,7 @@ import { removeObstacle, removeSlot } from "../scene/removal";
 import { distance, insidePolygon, type Point } from "../scene/geometry";
 import { distanceToShape } from "../scene/shapes";
 import type { Draft } from "../store/draft";
-import type { Bench, Input, Tool } from "./tool";
+import type { ToolContext, Input, Tool } from "./tool";
 import { nth } from "../scene/nth";
 
 abstract class StrokeTool implements Tool {
@@ -20,62 +20,62 @@ abstract class StrokeTool implements Tool {
     return "crosshair";
   }
 
-  hover(bench: Bench, input: Input | null): void {
-    bench.show(input && !input.touch ? this.disc(bench, input.at) : null);
+  hover(context: ToolContext, input: Input | null): void {
+    context.show(input && !input.touch ? this.disc(context, input.at) : null);
   }
 
-  down(bench: Bench, input: Input): void {
+  down(context: ToolContext, input: Input): void {
     this.last = input.at;
     this.begin();
-    this.stroke(bench, [input.at]);
+    this.stroke(context, [input.at]);
   }
 
-  move(bench: Bench, input: Input): void {
-    if (this.last) this.stroke(bench, input.trail);
+  move(context: ToolContext, input: Input): void {
+    if (this.last) this.stroke(context, input.trail);
   }
 
-  up(bench: Bench, input: Input): void {
+  up(context: ToolContext, input: Input): void {
     if (!this.last) return;
     this.last = null;
-    bench.commit(bench.store.state.scene, this.erase ? "erase" : "brush");
-    this.hover(bench, input);
+    context.commit(context.store.state.scene, this.erase ? "erase" : "brush");
+    this.hover(context, input);
   }
 
-  cancel(bench: Bench): boolean {
+  cancel(context: ToolContext): boolean {
     const drawing = this.last !== null;
     this.last = null;
-    if (drawing) bench.revert();
-    bench.show(null);
+    if (drawing) context.revert();
+    context.show(null);
     return drawing;
   }
 
   protected begin(): void {}
-  protected abstract apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene;
+  protected abstract apply(context: ToolContext, scene: Scene, from: Point, to: Point): Scene;
 
-  private stroke(bench: Bench, trail: readonly Point[]): void {
-    const before = bench.store.state.scene;
+  private stroke(context: ToolContext, trail: readonly Point[]): void {
+    const before = context.store.state.scene;
     let scene = before;
     for (const at of trail) {
-      scene = this.apply(bench, scene, this.last ?? at, at);
+      scene = this.apply(context, scene, this.last ?? at, at);
       this.last = at;
     }
-    bench.show(this.disc(bench, this.last ?? nth(trail, 0)));
-    if (scene !== before) bench.preview(scene);
+    context.show(this.disc(context, this.last ?? nth(trail, 0)));
+    if (scene !== before) context.preview(scene);
   }
 
   /** The label beside the disc. */
-  protected label(_: Bench): string {
+  protected label(_: ToolContext): string {
     return "";
   }
 
-  private disc(bench: Bench, at: Point): Draft {
+  private disc(context: ToolContext, at: Point): Draft {
     return {
       preview: {
         kind: "brush",
         at,
-        radius: bench.store.state.toolOptions.brushRadius,
+        radius: context.store.state.toolOptions.brushRadius,
         erase: this.erase,
-        label: this.label(bench),
+        label: this.label(context),
       },
     };
   }
@@ -86,8 +86,8 @@ export class BrushTool extends StrokeTool {
     super(false);
   }
 
-  protected override apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene {
-    return brushCells(scene, capsuleRuns(scene.map, from, to, bench.store.state.toolOptions.brushRadius), "add");
+  protected override apply(context: ToolContext, scene: Scene, from: Point, to: Point): Scene {
+    return brushCells(scene, capsuleRuns(scene.map, from, to, context.store.state.toolOptions.brushRadius), "add");
   }
 }
 
@@ -97,13 +97,13 @@ export class CostTool extends StrokeTool {
     super(false);
   }
 
-  protected override apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene {
-    const { brushRadius, costWeight } = bench.store.state.toolOptions;
+  protected override apply(context: ToolContext, scene: Scene, from: Point, to: Point): Scene {
+    const { brushRadius, costWeight } = context.store.state.toolOptions;
     return paintCosts(scene, capsuleRuns(scene.map, from, to, brushRadius), costWeight);
   }
 
-  protected override label(bench: Bench): string {
-    return `×${bench.store.state.toolOptions.costWeight}`;
+  protected override label(context: ToolContext): string {
+    return `×${context.store.state.toolOptions.costWeight}`;
   }
 }
 
@@ -119,8 +119,8 @@ export class EraserTool extends StrokeTool {
     this.freed.clear();
   }
 
-  protected override apply(bench: Bench, scene: Scene, from: Point, to: Point): Scene {
-    const radius = bench.store.state.toolOptions.brushRadius;
+  protected override apply(context: ToolContext, scene: Scene, from: Point, to: Point): Scene {
+    const radius = context.store.state.toolOptions.brushRadius;
     const cells = capsuleRuns(scene.map, from, to, radius);
     let next = paintCosts(brushCells(scene, cells, "erase"), cells, 1);
     for (const obstacle of scene.obstacles ?? []) {

@@ -4,7 +4,7 @@ import { addObstacle, nextId, type Scene } from "../scene/model";
 import { distance, radians, towards, wrapAngle, type Point } from "../scene/geometry";
 import { poseAround, vehicleOf } from "../scene/vehicle";
 import { snapAngle } from "./snap";
-import { metresOf, type Bench, type Input, type Tool } from "./tool";
+import { metresOf, type ToolContext, type Input, type Tool } from "./tool";
 
 const AIM_PX = 14;
 /** Half of a cone's foot, metres. */
@@ -18,54 +18,54 @@ export class CarTool implements Tool {
     return "none";
   }
 
-  hover(bench: Bench, input: Input | null): void {
+  hover(context: ToolContext, input: Input | null): void {
     if (input?.touch) return;
-    this.show(bench, input ? input.at : null);
+    this.show(context, input ? input.at : null);
   }
 
-  down(bench: Bench, input: Input): void {
+  down(context: ToolContext, input: Input): void {
     this.placed = input.at;
-    this.show(bench, input.at);
+    this.show(context, input.at);
   }
 
-  move(bench: Bench, input: Input): void {
+  move(context: ToolContext, input: Input): void {
     if (!this.placed) return;
-    if (distance(this.placed, input.at) > metresOf(bench, AIM_PX)) {
+    if (distance(this.placed, input.at) > metresOf(context, AIM_PX)) {
       this.heading = snapAngle(towards(this.placed, input.at), input.alt ? "free" : input.shift ? "always" : "near");
     }
-    this.show(bench, this.placed);
+    this.show(context, this.placed);
   }
 
-  up(bench: Bench): void {
+  up(context: ToolContext): void {
     const { placed } = this;
     this.placed = null;
-    bench.show(null);
+    context.show(null);
     if (!placed) return;
-    const { carProfile } = bench.store.state.toolOptions;
+    const { carProfile } = context.store.state.toolOptions;
     const { scene, id } =
       carProfile === "cone"
-        ? addCone(bench.store.state.scene, placed)
-        : addObstacle(bench.store.state.scene, {
+        ? addCone(context.store.state.scene, placed)
+        : addObstacle(context.store.state.scene, {
             type: "car",
             pose: this.pose(placed, carProfile),
             vehicle: carProfile,
           });
-    bench.commit(scene, carProfile === "cone" ? "cone" : "car");
-    bench.store.set({ selection: { kind: "obstacle", id } });
-    bench.done();
+    context.commit(scene, carProfile === "cone" ? "cone" : "car");
+    context.store.set({ selection: { kind: "obstacle", id } });
+    context.done();
   }
 
-  cancel(bench: Bench): boolean {
+  cancel(context: ToolContext): boolean {
     const placing = this.placed !== null;
     this.placed = null;
-    bench.show(null);
+    context.show(null);
     return placing;
   }
 
-  wheel(bench: Bench, input: Input, notches: number): boolean {
+  wheel(context: ToolContext, input: Input, notches: number): boolean {
     if (input.ctrl) return false;
     this.heading = wrapAngle(this.heading + radians(input.shift ? 1 : 5) * notches);
-    this.show(bench, this.placed ?? input.at);
+    this.show(context, this.placed ?? input.at);
     return true;
   }
 
@@ -73,11 +73,11 @@ export class CarTool implements Tool {
     return poseAround(at, this.heading, vehicleOf(profile));
   }
 
-  private show(bench: Bench, at: Point | null): void {
-    const { carProfile } = bench.store.state.toolOptions;
-    if (!at) bench.show(null);
-    else if (carProfile === "cone") bench.show({ preview: { kind: "brush", at, radius: CONE, erase: false } });
-    else bench.show({ preview: { kind: "car", pose: this.pose(at, carProfile), vehicle: carProfile } });
+  private show(context: ToolContext, at: Point | null): void {
+    const { carProfile } = context.store.state.toolOptions;
+    if (!at) context.show(null);
+    else if (carProfile === "cone") context.show({ preview: { kind: "brush", at, radius: CONE, erase: false } });
+    else context.show({ preview: { kind: "car", pose: this.pose(at, carProfile), vehicle: carProfile } });
   }
 }
 

@@ -6,7 +6,7 @@ import type { Draft } from "../store/draft";
 import { Fingers } from "./fingers";
 import { inputOf, keyedInput, viewOf } from "./input";
 import { arrowOf, stepOf } from "./keys";
-import type { Bench, Input, Tool } from "./tool";
+import type { ToolContext, Input, Tool } from "./tool";
 import { ToolInForce } from "./tool-in-force";
 import { turnOf } from "./wheel";
 
@@ -88,7 +88,7 @@ export class ToolController {
     on("dblclick", (event) => {
       // The second press may have ended a shape and handed over to another tool.
       if (this.pressed === this.inForce.now())
-        this.pressed.doubleClick?.(this.bench(), inputOf(canvas, this.store.state, event));
+        this.pressed.doubleClick?.(this.context(), inputOf(canvas, this.store.state, event));
     });
     on("contextmenu", (event) => this.menuAsked(canvas, event), false);
     on("focus", () => {
@@ -123,7 +123,7 @@ export class ToolController {
     if (event.ctrlKey || event.metaKey) return false;
     if (event.key === "Escape") return this.escape();
     if (this.drawByKey(event)) return true;
-    if (event.key === "Enter") return this.inForce.now().confirm?.(this.bench()) ?? false;
+    if (event.key === "Enter") return this.inForce.now().confirm?.(this.context()) ?? false;
     if (event.key === " ") return this.inForce.holdSpace();
     const way = arrowOf(event.key);
     return way !== undefined && this.edit((store) => this.inForce.drawing?.nudge(store, way, event.shiftKey) ?? false);
@@ -149,7 +149,7 @@ export class ToolController {
     this.press = { pointer: event.pointerId, tool, input, since: event.timeStamp };
     if (event.pointerType === "touch")
       this.fingers.whenLong(event.pointerId, input.pixel, () => this.longPress(canvas, event));
-    tool.down?.(this.bench(), input);
+    tool.down?.(this.context(), input);
     this.setCursor(tool, input);
   }
 
@@ -186,8 +186,8 @@ export class ToolController {
     if (press && press.pointer !== event.pointerId) return;
     if (press) {
       press.input = input;
-      press.tool.move?.(this.bench(), input);
-    } else this.inForce.now().hover?.(this.bench(), input);
+      press.tool.move?.(this.context(), input);
+    } else this.inForce.now().hover?.(this.context(), input);
     this.store.set({ hover: { x: input.at[0], y: input.at[1] } });
     this.setCursor(press?.tool ?? this.inForce.now(), input);
   }
@@ -209,7 +209,7 @@ export class ToolController {
     const { press } = this;
     if (!press) return;
     this.press = null;
-    press.tool.up?.(this.bench(), press.input);
+    press.tool.up?.(this.context(), press.input);
     this.inForce.ended(press.tool);
     this.setCursor(this.inForce.now(), this.last);
   }
@@ -217,15 +217,15 @@ export class ToolController {
   private leave(lifted: boolean): void {
     if (this.press) return;
     this.last = null;
-    this.inForce.now().hover?.(this.bench(), null);
+    this.inForce.now().hover?.(this.context(), null);
     if (!lifted) this.store.set({ hover: null });
   }
 
   private beginPinch(now: number): void {
     const { press } = this;
     this.press = null;
-    if (press && now - press.since < STRAY_MS) press.tool.cancel?.(this.bench());
-    else if (press) press.tool.up?.(this.bench(), press.input);
+    if (press && now - press.since < STRAY_MS) press.tool.cancel?.(this.context());
+    else if (press) press.tool.up?.(this.context(), press.input);
     this.store.set({ hover: null });
   }
 
@@ -238,8 +238,8 @@ export class ToolController {
   private longPress(canvas: HTMLElement, event: PointerEvent): void {
     const { press } = this;
     this.press = null;
-    press?.tool.cancel?.(this.bench());
-    this.inForce.select.pick(this.bench(), inputOf(canvas, this.store.state, event));
+    press?.tool.cancel?.(this.context());
+    this.inForce.select.pick(this.context(), inputOf(canvas, this.store.state, event));
     this.askForMenu(canvas, event.clientX, event.clientY);
   }
 
@@ -251,7 +251,7 @@ export class ToolController {
     // Fingers that rest are told apart from drawing ones elsewhere.
     if ((event as PointerEvent).pointerType === "touch" || (tool !== "select" && tool !== "hand")) return;
     if (from && distance(from, input.pixel) > CLICK_PX) return;
-    this.inForce.select.pick(this.bench(), input);
+    this.inForce.select.pick(this.context(), input);
     this.askForMenu(canvas, event.clientX, event.clientY);
   }
 
@@ -288,8 +288,8 @@ export class ToolController {
     if (!way) this.pressByKey(tool, input);
     else if (this.press) {
       this.press.input = input;
-      tool.move?.(this.bench(), input);
-    } else tool.hover?.(this.bench(), input);
+      tool.move?.(this.context(), input);
+    } else tool.hover?.(this.context(), input);
     this.store.set({ hover: { x: at[0], y: at[1] } });
     return true;
   }
@@ -297,7 +297,7 @@ export class ToolController {
   private pressByKey(tool: Tool, input: Input): void {
     if (this.press) return this.endPress();
     this.press = { pointer: KEYS, tool, input, since: performance.now() };
-    tool.down?.(this.bench(), input);
+    tool.down?.(this.context(), input);
     if (!tool.drags) this.endPress();
   }
 
@@ -307,7 +307,7 @@ export class ToolController {
     if (!this.press) this.canvas = canvas;
     const input = inputOf(canvas, this.store.state, event);
     const { notches, factor } = turnOf(event);
-    if (this.inForce.now().wheel?.(this.bench(), input, notches)) return;
+    if (this.inForce.now().wheel?.(this.context(), input, notches)) return;
     this.store.set({
       camera: zoomAt(this.view(), input.pixel[0], input.pixel[1], factor, leastScale(this.store.state.scene.map)),
     });
@@ -318,11 +318,11 @@ export class ToolController {
     this.press = null;
     const { armed, drawing } = this.inForce;
     if (armed) {
-      drawing?.place[armed].cancel(this.bench());
+      drawing?.place[armed].cancel(this.context());
       this.inForce.armed = null;
       return this.refresh();
     }
-    if ((press?.tool ?? this.inForce.now()).cancel?.(this.bench())) return this.refresh();
+    if ((press?.tool ?? this.inForce.now()).cancel?.(this.context())) return this.refresh();
     if (this.store.state.selection) this.store.set({ selection: null });
     else if (this.store.state.tool !== "select") this.store.set({ tool: "select" });
     else return false;
@@ -338,7 +338,7 @@ export class ToolController {
 
   private toolChanged(state: State, previous: State): void {
     if (state.tool === previous.tool) return;
-    this.inForce.called(previous.tool).cancel?.(this.bench());
+    this.inForce.called(previous.tool).cancel?.(this.context());
     this.press = null;
     this.inForce.armed = null;
     this.keyed = null;
@@ -349,7 +349,7 @@ export class ToolController {
   private refresh(): true {
     if (!this.press) {
       this.show(null);
-      this.inForce.now().hover?.(this.bench(), this.last);
+      this.inForce.now().hover?.(this.context(), this.last);
     }
     this.setCursor(this.press?.tool ?? this.inForce.now(), this.last);
     return true;
@@ -360,7 +360,7 @@ export class ToolController {
   }
 
   private setCursor(tool: Tool, input: Input | null): void {
-    if (this.canvas) this.canvas.style.cursor = tool.cursor(this.bench(), input);
+    if (this.canvas) this.canvas.style.cursor = tool.cursor(this.context(), input);
   }
 
   /** Of the map that the pointer or the focus was on last. */
@@ -370,7 +370,7 @@ export class ToolController {
       : { camera: cameraFor(this.store.state, 1, 1), width: 1, height: 1 };
   }
 
-  private bench(): Bench {
+  private context(): ToolContext {
     const { store } = this;
     return {
       store,

@@ -9,7 +9,7 @@ import type { State } from "../store";
 import { boxAt, clockOf } from "../view/playback-time";
 import { gripOf } from "../view/pose-handle";
 import { turnGripOf } from "../view/turn-grip";
-import { metresOf, reachOf, type Bench, type Input } from "./tool";
+import { metresOf, reachOf, type ToolContext, type Input } from "./tool";
 
 export type Hit =
   | { part: "pose-grip"; which: "start" | "goal" }
@@ -19,23 +19,25 @@ export type Hit =
   | { part: "object"; selection: NonNullable<Selection> };
 
 /** Grips first, then vertices of the selected shape, cars, shapes from the top, slots. */
-export function hitAt(bench: Bench, input: Input, hot: Selection): Hit | null {
-  const { state } = bench.store;
+export function hitAt(context: ToolContext, input: Input, hot: Selection): Hit | null {
+  const { state } = context.store;
   return (
-    hitGrip(bench, input, hot) ??
-    hitShapeGrip(bench, input) ??
-    hitWay(bench, input) ??
-    wrap(hitPose(state, input.at) ?? hitMoving(bench, input) ?? hitObstacle(bench, input) ?? hitSlot(state, input.at))
+    hitGrip(context, input, hot) ??
+    hitShapeGrip(context, input) ??
+    hitWay(context, input) ??
+    wrap(
+      hitPose(state, input.at) ?? hitMoving(context, input) ?? hitObstacle(context, input) ?? hitSlot(state, input.at),
+    )
   );
 }
 
 const wrap = (selection: Selection): Hit | null => (selection ? { part: "object", selection } : null);
 
 /** A grip answers where it is drawn: at the chosen pose, the pose under the pointer, the goal if nothing is chosen. */
-function hitGrip(bench: Bench, input: Input, hot: Selection): Hit | null {
-  const { scene, selection } = bench.store.state;
+function hitGrip(context: ToolContext, input: Input, hot: Selection): Hit | null {
+  const { scene, selection } = context.store.state;
   const resolved = resolve(scene);
-  const reach = metresOf(bench, reachOf(input));
+  const reach = metresOf(context, reachOf(input));
   const drawn = (which: "start" | "goal"): boolean =>
     selection?.kind === which || hot?.kind === which || (which === "goal" && selection === null);
   for (const which of ["goal", "start"] as const) {
@@ -52,31 +54,31 @@ export function selectedShape({ scene, selection }: State): (Shape & { id: strin
   return found && found.type !== "cells" ? { ...found, id: selection.id } : null;
 }
 
-function hitShapeGrip(bench: Bench, input: Input): Hit | null {
-  const shape = selectedShape(bench.store.state);
+function hitShapeGrip(context: ToolContext, input: Input): Hit | null {
+  const shape = selectedShape(context.store.state);
   if (!shape) return null;
-  const reach = metresOf(bench, reachOf(input));
-  const grip = turnGripOf(shape, bench.view);
+  const reach = metresOf(context, reachOf(input));
+  const grip = turnGripOf(shape, context.view);
   if (grip && distance(grip.to, input.at) <= reach) return { part: "turn-grip", id: shape.id };
   const index = vertexAt(verticesOf(shape), input.at, reach * 0.75);
   return index >= 0 ? { part: "vertex", id: shape.id, index } : null;
 }
 
 /** A corner of the selected moving obstacle's way. */
-function hitWay(bench: Bench, input: Input): Hit | null {
-  const { scene, selection } = bench.store.state;
+function hitWay(context: ToolContext, input: Input): Hit | null {
+  const { scene, selection } = context.store.state;
   if (selection?.kind !== "moving") return null;
   const index = vertexAt(
     findMoving(scene, selection.id)?.points ?? [],
     input.at,
-    metresOf(bench, reachOf(input)) * 0.75,
+    metresOf(context, reachOf(input)) * 0.75,
   );
   return index >= 0 ? { part: "way", id: selection.id, index } : null;
 }
 
-function hitMoving(bench: Bench, input: Input): Selection {
-  const { state } = bench.store,
-    slack = metresOf(bench, input.touch ? 12 : 5),
+function hitMoving(context: ToolContext, input: Input): Selection {
+  const { state } = context.store,
+    slack = metresOf(context, input.touch ? 12 : 5),
     clock = clockOf(state);
   const touched = (one: MovingObstacle): boolean => {
     const { x, y, heading } = boxAt(one, clock);
@@ -96,10 +98,10 @@ function hitPose({ scene, selection }: State, at: Point): Selection {
   return null;
 }
 
-function hitObstacle(bench: Bench, input: Input): Selection {
-  const slack = metresOf(bench, input.touch ? 12 : 4);
+function hitObstacle(context: ToolContext, input: Input): Selection {
+  const slack = metresOf(context, input.touch ? 12 : 4);
   const touched = (o: Obstacle): boolean => o.type !== "cells" && distanceToShape(input.at, o) <= slack;
-  const all = [...(bench.store.state.scene.obstacles ?? [])].reverse();
+  const all = [...(context.store.state.scene.obstacles ?? [])].reverse();
   // What stands on a road comes before it.
   const found = all.find((o) => o.type !== "road" && touched(o)) ?? all.find(touched);
   return found?.id === undefined ? null : { kind: "obstacle", id: found.id };

@@ -1,4 +1,5 @@
 /** Walls, roads and polygons: corner after corner. */
+import "../i18n/later";
 import { addMoving, addObstacle } from "../scene/model";
 import { canExtend, crossesItself, distance, type Point } from "../scene/geometry";
 import { tooTight } from "../scene/road";
@@ -6,7 +7,7 @@ import { fixed } from "../view/text";
 import type { Scene, ToolOptions } from "../store";
 import type { Draft } from "../store/draft";
 import { constrainAngle, snapPoint, type Snapped } from "./snap";
-import { metresOf, reachOf, type Bench, type Input, type Tool } from "./tool";
+import { metresOf, reachOf, type ToolContext, type Input, type Tool } from "./tool";
 import { word } from "../view/tool-messages";
 
 const DRAG_PX = 8;
@@ -34,125 +35,125 @@ abstract class LineTool implements Tool {
   protected abstract made(scene: Scene, points: Point[], options: ToolOptions): Made;
 
   /** True where the corners make nothing yet, and it was said why: the line goes on. */
-  protected mends(_: Bench): boolean {
+  protected mends(_: ToolContext): boolean {
     return false;
   }
 
   /** Of the preview's line, metres. */
-  protected width(bench: Bench): { thickness: number } {
-    return { thickness: this.closed ? 0 : bench.store.state.toolOptions.wallThickness };
+  protected width(context: ToolContext): { thickness: number } {
+    return { thickness: this.closed ? 0 : context.store.state.toolOptions.wallThickness };
   }
 
   cursor(): string {
     return "crosshair";
   }
 
-  hover(bench: Bench, input: Input | null): void {
-    if (!input) bench.show(this.points.length > 0 ? this.draft(bench, null) : null);
-    else if (!input.touch) this.showAim(bench, input);
+  hover(context: ToolContext, input: Input | null): void {
+    if (!input) context.show(this.points.length > 0 ? this.draft(context, null) : null);
+    else if (!input.touch) this.showAim(context, input);
   }
 
-  down(bench: Bench, input: Input): void {
+  down(context: ToolContext, input: Input): void {
     this.twice = this.before !== null && distance(this.before, input.pixel) <= TWICE_PX;
     this.before = this.pressed = input.pixel;
-    const { at } = this.aim(bench, input);
-    if (this.closes(bench, input, at) || this.repeats(bench, input, at)) {
-      this.finish(bench);
+    const { at } = this.aim(context, input);
+    if (this.closes(context, input, at) || this.repeats(context, input, at)) {
+      this.finish(context);
       return;
     }
-    this.add(bench, at);
+    this.add(context, at);
   }
 
-  move(bench: Bench, input: Input): void {
-    this.showAim(bench, input);
+  move(context: ToolContext, input: Input): void {
+    this.showAim(context, input);
   }
 
   /** A drag draws one edge; a wall is complete then. */
-  up(bench: Bench, input: Input): void {
+  up(context: ToolContext, input: Input): void {
     const dragged = this.pressed !== null && distance(this.pressed, input.pixel) > DRAG_PX;
     this.pressed = null;
     if (!dragged || this.points.length === 0) return;
-    this.add(bench, this.aim(bench, input).at);
-    if (!this.closed && this.points.length === 2) this.finish(bench);
+    this.add(context, this.aim(context, input).at);
+    if (!this.closed && this.points.length === 2) this.finish(context);
   }
 
   /** Quick presses in different places are corners. */
-  doubleClick(bench: Bench): void {
-    if (this.twice) this.finish(bench);
+  doubleClick(context: ToolContext): void {
+    if (this.twice) this.finish(context);
   }
 
-  confirm(bench: Bench): boolean {
-    return this.points.length > 0 && this.finish(bench);
+  confirm(context: ToolContext): boolean {
+    return this.points.length > 0 && this.finish(context);
   }
 
-  cancel(bench: Bench): boolean {
+  cancel(context: ToolContext): boolean {
     const drawing = this.points.length > 0;
-    this.reset(bench);
+    this.reset(context);
     return drawing;
   }
 
   /** Adds the line to the scene; an open one that is too short is dropped. */
-  private finish(bench: Bench): boolean {
+  private finish(context: ToolContext): boolean {
     const { points } = this,
-      { store } = bench,
+      { store } = context,
       { scene, toolOptions } = store.state;
     if (this.closed && points.length < 3) return false;
-    if (this.mends(bench)) return true;
-    this.reset(bench);
+    if (this.mends(context)) return true;
+    this.reset(context);
     if (points.length < 2) return false;
     const { scene: next, id, kind, label } = this.made(scene, points, toolOptions);
-    bench.commit(next, label);
+    context.commit(next, label);
     store.set({ selection: { kind, id } });
-    bench.done();
+    context.done();
     return true;
   }
 
-  private reset(bench: Bench): void {
+  private reset(context: ToolContext): void {
     this.points = [];
     this.pressed = this.before = null;
-    bench.show(null);
+    context.show(null);
   }
 
-  protected refuse(bench: Bench): void {
-    bench.store.set({ message: { tone: "err", text: word(bench.store.state, "crosses") } });
+  protected refuse(context: ToolContext): void {
+    context.store.set({ message: { tone: "err", text: word(context.store.state, "crosses") } });
   }
 
-  private add(bench: Bench, at: Point): void {
+  private add(context: ToolContext, at: Point): void {
     const last = this.points.at(-1);
     if (last && distance(last, at) < 1e-6) return;
-    if (this.closed && !canExtend(this.points, at)) return this.refuse(bench);
+    if (this.closed && !canExtend(this.points, at)) return this.refuse(context);
     this.points = [...this.points, at];
-    bench.show(this.draft(bench, at));
+    context.show(this.draft(context, at));
   }
 
-  private aim(bench: Bench, input: Input): Snapped {
+  private aim(context: ToolContext, input: Input): Snapped {
     const last = this.points.at(-1);
-    return input.shift && last ? { at: constrainAngle(last, input.at), guides: [] } : snapPoint(bench, input);
+    return input.shift && last ? { at: constrainAngle(last, input.at), guides: [] } : snapPoint(context, input);
   }
 
-  private showAim(bench: Bench, input: Input): void {
-    const { at, guides } = this.aim(bench, input);
-    bench.show({ ...this.draft(bench, at), guides });
+  private showAim(context: ToolContext, input: Input): void {
+    const { at, guides } = this.aim(context, input);
+    context.show({ ...this.draft(context, at), guides });
   }
 
   /** Fingers and keys have no double click: a press on the last corner ends the line. */
-  private repeats(bench: Bench, input: Input, at: Point): boolean {
+  private repeats(context: ToolContext, input: Input, at: Point): boolean {
     const last = this.points.at(-1),
-      reach = input.keyed ? 1e-6 : input.touch ? metresOf(bench, reachOf(input)) : -1;
+      reach = input.keyed ? 1e-6 : input.touch ? metresOf(context, reachOf(input)) : -1;
     return last !== undefined && distance(last, at) <= reach;
   }
 
-  private closes(bench: Bench, input: Input, at: Point): boolean {
+  private closes(context: ToolContext, input: Input, at: Point): boolean {
     const first = this.points[0];
     return (
       this.closed &&
       this.points.length > 2 &&
       first !== undefined &&
-      distance(first, at) <= metresOf(bench, reachOf(input))
+      distance(first, at) <= metresOf(context, reachOf(input))
     );
   }
 
-  private draft(bench: Bench, cursor: Point | null): Draft {
+  private draft(context: ToolContext, cursor: Point | null): Draft {
     const { points } = this;
     const last = points.at(-1),
       first = points[0];
@@ -161,7 +162,7 @@ abstract class LineTool implements Tool {
       points.length > 2 &&
       cursor !== null &&
       first !== undefined &&
-      distance(first, cursor) <= metresOf(bench, 12);
+      distance(first, cursor) <= metresOf(context, 12);
     const refused =
       this.closed &&
       cursor !== null &&
@@ -169,7 +170,7 @@ abstract class LineTool implements Tool {
       last !== undefined &&
       distance(last, cursor) > 1e-6 &&
       !canExtend(points, cursor);
-    const { thickness } = this.width(bench);
+    const { thickness } = this.width(context);
     const length = cursor && last ? distance(last, cursor) : 0;
     return {
       preview: { kind: "line", points, cursor, thickness, closing, refused, closed: this.closed },
@@ -203,17 +204,17 @@ export class WallTool extends LineTool {
 export class RoadTool extends LineTool {
   protected override readonly closed = false;
 
-  protected override width(bench: Bench): { thickness: number } {
-    const { lanes, laneWidth } = bench.store.state.toolOptions.road;
+  protected override width(context: ToolContext): { thickness: number } {
+    const { lanes, laneWidth } = context.store.state.toolOptions.road;
     return { thickness: (lanes[0] + lanes[1]) * laneWidth };
   }
 
   /** A bend that is too tight is taken back, with what follows. */
-  protected override mends(bench: Bench): boolean {
+  protected override mends(context: ToolContext): boolean {
     const { points } = this,
-      tight = tooTight({ type: "road", points, ...bench.store.state.toolOptions.road });
+      tight = tooTight({ type: "road", points, ...context.store.state.toolOptions.road });
     if (points.length < 2 || tight <= 0) return false;
-    bench.store.set({ message: { tone: "err", text: word(bench.store.state, "tight") } });
+    context.store.set({ message: { tone: "err", text: word(context.store.state, "tight") } });
     this.points = points.slice(0, tight + 1);
     return true;
   }
@@ -226,9 +227,9 @@ export class RoadTool extends LineTool {
 export class PolygonTool extends LineTool {
   protected override readonly closed = true;
 
-  protected override mends(bench: Bench): boolean {
+  protected override mends(context: ToolContext): boolean {
     if (!crossesItself(this.points)) return false;
-    this.refuse(bench);
+    this.refuse(context);
     return true;
   }
 

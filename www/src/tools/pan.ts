@@ -1,7 +1,7 @@
 /** Pans the camera. */
 import type { Point } from "../scene/geometry";
 import { panBy } from "../view/camera";
-import type { Bench, Input, Tool } from "./tool";
+import type { ToolContext, Input, Tool } from "./tool";
 
 export class HandTool implements Tool {
   private last: Point | null = null;
@@ -10,15 +10,15 @@ export class HandTool implements Tool {
     return this.last ? "grabbing" : "grab";
   }
 
-  down(_bench: Bench, input: Input): void {
+  down(_bench: ToolContext, input: Input): void {
     this.last = input.pixel;
   }
 
-  move(bench: Bench, input: Input): void {
+  move(context: ToolContext, input: Input): void {
     if (!this.last) return;
     const [x, y] = this.last;
     this.last = input.pixel;
-    bench.store.set({ camera: panBy(bench.view.camera, input.pixel[0] - x, input.pixel[1] - y) });
+    context.store.set({ camera: panBy(context.view.camera, input.pixel[0] - x, input.pixel[1] - y) });
   }
 
   up(): void {

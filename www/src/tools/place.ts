@@ -3,7 +3,7 @@ import type { Pose } from "parkade";
 import { movePose, resolve } from "../scene/model";
 import { distance, towards, type Point } from "../scene/geometry";
 import { snapAngle } from "./snap";
-import { metresOf, type Bench, type Input, type Tool } from "./tool";
+import { metresOf, type ToolContext, type Input, type Tool } from "./tool";
 
 const AIM_PX = 8;
 
@@ -17,40 +17,42 @@ export class PlaceTool implements Tool {
     return "crosshair";
   }
 
-  hover(bench: Bench, input: Input | null): void {
-    bench.show(input ? { preview: { kind: "pose", which: this.which, pose: this.pose(bench, input.at, null) } } : null);
+  hover(context: ToolContext, input: Input | null): void {
+    context.show(
+      input ? { preview: { kind: "pose", which: this.which, pose: this.pose(context, input.at, null) } } : null,
+    );
   }
 
-  down(bench: Bench, input: Input): void {
+  down(context: ToolContext, input: Input): void {
     this.at = input.at;
-    bench.store.set({ selection: { kind: this.which } });
-    this.move(bench, input);
+    context.store.set({ selection: { kind: this.which } });
+    this.move(context, input);
   }
 
-  move(bench: Bench, input: Input): void {
+  move(context: ToolContext, input: Input): void {
     if (!this.at) return;
-    const aimed = distance(this.at, input.at) > metresOf(bench, AIM_PX);
-    bench.show({ grabbed: { which: this.which, part: "grip" } });
-    bench.preview(movePose(bench.store.state.scene, this.which, this.pose(bench, this.at, aimed ? input : null)));
+    const aimed = distance(this.at, input.at) > metresOf(context, AIM_PX);
+    context.show({ grabbed: { which: this.which, part: "grip" } });
+    context.preview(movePose(context.store.state.scene, this.which, this.pose(context, this.at, aimed ? input : null)));
   }
 
-  up(bench: Bench): void {
+  up(context: ToolContext): void {
     if (!this.at) return;
     this.at = null;
-    bench.show(null);
-    bench.commit(bench.store.state.scene, this.which);
+    context.show(null);
+    context.commit(context.store.state.scene, this.which);
   }
 
-  cancel(bench: Bench): boolean {
+  cancel(context: ToolContext): boolean {
     const placing = this.at !== null;
     this.at = null;
-    bench.show(null);
-    if (placing) bench.revert();
+    context.show(null);
+    if (placing) context.revert();
     return placing;
   }
 
-  private pose(bench: Bench, at: Point, aim: Input | null): Pose {
-    const before = resolve(bench.store.state.scene)[this.which];
+  private pose(context: ToolContext, at: Point, aim: Input | null): Pose {
+    const before = resolve(context.store.state.scene)[this.which];
     const heading = aim ? snapAngle(towards(at, aim.at), aim.alt ? "free" : "near") : before.heading;
     return { x: at[0], y: at[1], heading };
   }

@@ -4,7 +4,7 @@ import { distance, type Point } from "../scene/geometry";
 import { rectangleBetween } from "../scene/shapes";
 import { fixed } from "../view/text";
 import { snapPoint, type Snapped } from "./snap";
-import { metresOf, type Bench, type Input, type Tool } from "./tool";
+import { metresOf, type ToolContext, type Input, type Tool } from "./tool";
 
 const LEAST_PX = 4;
 
@@ -16,48 +16,48 @@ export class RectangleTool implements Tool {
     return "crosshair";
   }
 
-  down(bench: Bench, input: Input): void {
-    this.from = snapPoint(bench, input).at;
+  down(context: ToolContext, input: Input): void {
+    this.from = snapPoint(context, input).at;
   }
 
-  move(bench: Bench, input: Input): void {
+  move(context: ToolContext, input: Input): void {
     if (!this.from) return;
-    const { at: to, guides } = this.corner(bench, this.from, input);
+    const { at: to, guides } = this.corner(context, this.from, input);
     const { center, size } = rectangleBetween({}, this.from, to);
-    bench.show({
+    context.show({
       guides,
       preview: { kind: "rectangle", center, size, heading: 0, from: this.from, to },
       label: { text: `${fixed(size[0], 2)} × ${fixed(size[1], 2)} m`, at: [center[0], Math.max(this.from[1], to[1])] },
     });
   }
 
-  up(bench: Bench, input: Input): void {
+  up(context: ToolContext, input: Input): void {
     const { from } = this;
     this.from = null;
-    bench.show(null);
+    context.show(null);
     if (!from) return;
-    const { center, size } = rectangleBetween({}, from, this.corner(bench, from, input).at);
-    if (Math.min(...size) < metresOf(bench, LEAST_PX) || distance(from, center) === 0) return;
-    const { scene, id } = addObstacle(bench.store.state.scene, { type: "rectangle", center, size, heading: 0 });
-    bench.commit(scene, "rectangle");
-    bench.store.set({ selection: { kind: "obstacle", id } });
-    bench.done();
+    const { center, size } = rectangleBetween({}, from, this.corner(context, from, input).at);
+    if (Math.min(...size) < metresOf(context, LEAST_PX) || distance(from, center) === 0) return;
+    const { scene, id } = addObstacle(context.store.state.scene, { type: "rectangle", center, size, heading: 0 });
+    context.commit(scene, "rectangle");
+    context.store.set({ selection: { kind: "obstacle", id } });
+    context.done();
   }
 
-  cancel(bench: Bench): boolean {
+  cancel(context: ToolContext): boolean {
     const drawing = this.from !== null;
     this.from = null;
-    bench.show(null);
+    context.show(null);
     return drawing;
   }
 
-  hover(bench: Bench, input: Input | null): void {
-    const guides = input && !input.touch ? snapPoint(bench, input).guides : [];
-    bench.show(guides.length > 0 ? { guides } : null);
+  hover(context: ToolContext, input: Input | null): void {
+    const guides = input && !input.touch ? snapPoint(context, input).guides : [];
+    context.show(guides.length > 0 ? { guides } : null);
   }
 
-  private corner(bench: Bench, from: Point, input: Input): Snapped {
-    const { at, guides } = snapPoint(bench, input);
+  private corner(context: ToolContext, from: Point, input: Input): Snapped {
+    const { at, guides } = snapPoint(context, input);
     if (!input.shift) return { at, guides };
     const side = Math.max(Math.abs(at[0] - from[0]), Math.abs(at[1] - from[1]));
     return {

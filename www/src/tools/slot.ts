@@ -2,6 +2,7 @@
  * Rows of parking slots: a drag along the aisle, as many as fit. The bays lie where there is room, else to its right;
  * Alt swaps.
  */
+import "../i18n/later";
 import { addSlots, resolve } from "../scene/model";
 import { distance, insidePolygon, towards, type Point } from "../scene/geometry";
 import { distanceToShape, onCells } from "../scene/shapes";
@@ -12,7 +13,7 @@ import { fixed } from "../view/text";
 import type { Aisle, Draft } from "../store/draft";
 import { sayMisfit } from "./slot-fit";
 import { constrainAngle, snapAngle, snapPoint } from "./snap";
-import type { Bench, Input, Tool } from "./tool";
+import type { ToolContext, Input, Tool } from "./tool";
 import { word } from "../view/tool-messages";
 import { nth } from "../scene/nth";
 
@@ -28,41 +29,41 @@ export class SlotTool implements Tool {
     return "crosshair";
   }
 
-  down(bench: Bench, input: Input): void {
-    this.from = snapPoint(bench, input).at;
-    this.move(bench, input);
+  down(context: ToolContext, input: Input): void {
+    this.from = snapPoint(context, input).at;
+    this.move(context, input);
   }
 
-  move(bench: Bench, input: Input): void {
-    if (this.from) bench.show(rowDraft(bench, this.from, this.end(bench, this.from, input), input.alt));
+  move(context: ToolContext, input: Input): void {
+    if (this.from) context.show(rowDraft(context, this.from, this.end(context, this.from, input), input.alt));
   }
 
-  up(bench: Bench, input: Input): void {
+  up(context: ToolContext, input: Input): void {
     const { from } = this;
     this.from = null;
-    bench.show(null);
+    context.show(null);
     if (!from) return;
-    const to = this.end(bench, from, input),
-      side = sideOf(bench, from, to, input.alt);
-    const slots = slotRow(shapeOf(bench, side), from, to, side);
-    const { scene, ids } = addSlots(bench.store.state.scene, slots);
-    bench.commit(scene, "slots");
-    bench.store.set({ selection: selectionOf(bench.store.state.scene, ids) });
-    bench.done();
-    sayMisfit(bench.store, ids);
+    const to = this.end(context, from, input),
+      side = sideOf(context, from, to, input.alt);
+    const slots = slotRow(shapeOf(context, side), from, to, side);
+    const { scene, ids } = addSlots(context.store.state.scene, slots);
+    context.commit(scene, "slots");
+    context.store.set({ selection: selectionOf(context.store.state.scene, ids) });
+    context.done();
+    sayMisfit(context.store, ids);
   }
 
-  cancel(bench: Bench): boolean {
+  cancel(context: ToolContext): boolean {
     const drawing = this.from !== null;
     this.from = null;
-    bench.show(null);
+    context.show(null);
     return drawing;
   }
 
   /** Rows go straight unless they are pulled away from it. */
-  private end(bench: Bench, from: Point, input: Input): Point {
+  private end(context: ToolContext, from: Point, input: Input): Point {
     if (input.shift) return constrainAngle(from, input.at);
-    const to = snapPoint(bench, input).at,
+    const to = snapPoint(context, input).at,
       angle = towards(from, to),
       straight = snapAngle(angle);
     if (input.ctrl || straight === angle) return to;
@@ -72,35 +73,35 @@ export class SlotTool implements Tool {
 }
 
 /** The option says where bays lean on the page, along the drag or against it; a slot says it as seen from its aisle. */
-function shapeOf(bench: Bench, side: Side): SlotShape {
-  const { scene, toolOptions } = bench.store.state;
+function shapeOf(context: ToolContext, side: Side): SlotShape {
+  const { scene, toolOptions } = context.store.state;
   const { kind, width, length, angle, lean } = sizedShape(toolOptions.slot, resolve(scene).vehicle);
   if (kind !== "angled") return { kind, width, length };
   return { kind, width, length, angle, lean: (lean === "right") === (side === "left") ? "right" : "left" };
 }
 
 /** The side of the drag with more free ground for bays, and then with the freer aisle in front of them. */
-function sideOf(bench: Bench, from: Point, to: Point, swapped: boolean): Side {
+function sideOf(context: ToolContext, from: Point, to: Point, swapped: boolean): Side {
   const roomAt = (side: Side): number => {
-    const slots = slotRow(shapeOf(bench, side), from, to, side),
-      aisle = aisleOf(bench, nth(slots, 0).heading, from, to);
-    const free = slots.filter((slot) => !isTaken(bench, slotCentre({ ...slot, id: "" }))).length / slots.length;
+    const slots = slotRow(shapeOf(context, side), from, to, side),
+      aisle = aisleOf(context, nth(slots, 0).heading, from, to);
+    const free = slots.filter((slot) => !isTaken(context, slotCentre({ ...slot, id: "" }))).length / slots.length;
     return 2 * free + (aisle.width > 0 ? aisle.free / aisle.width : 1);
   };
   return roomAt("left") > roomAt("right") + CLEARLY !== swapped ? "left" : "right";
 }
 
-function rowDraft(bench: Bench, from: Point, to: Point, swapped: boolean): Draft {
-  const side = sideOf(bench, from, to, swapped),
-    shape = shapeOf(bench, side),
-    { state } = bench.store,
+function rowDraft(context: ToolContext, from: Point, to: Point, swapped: boolean): Draft {
+  const side = sideOf(context, from, to, swapped),
+    shape = shapeOf(context, side),
+    { state } = context.store,
     { angle, lean } = state.toolOptions.slot;
   const slots = slotRow(shape, from, to, side);
   const leaning = shape.kind === "angled" ? ` · ${fixed((angle * 180) / Math.PI, 0)}° ${word(state, lean)}` : "";
   const count = `${slots.length} ${word(state, slots.length === 1 ? "slot" : "slots")}`;
   const row = slots.length * openingOf(shape);
   return {
-    preview: { kind: "slots", slots, from, to, aisle: aisleOf(bench, slots[0]?.heading ?? 0, from, to) },
+    preview: { kind: "slots", slots, from, to, aisle: aisleOf(context, slots[0]?.heading ?? 0, from, to) },
     label: {
       text:
         `${count}${leaning} · ${fixed(shape.width, 2)} × ${fixed(shape.length, 2)} m · ` +
@@ -111,20 +112,20 @@ function rowDraft(bench: Bench, from: Point, to: Point, swapped: boolean): Draft
 }
 
 /** The aisle in front of a row, and how much of it is free, measured from the row's middle. */
-function aisleOf(bench: Bench, heading: number, from: Point, to: Point): Aisle {
-  const { aisle } = bench.store.state.toolOptions.slot;
+function aisleOf(context: ToolContext, heading: number, from: Point, to: Point): Aisle {
+  const { aisle } = context.store.state.toolOptions.slot;
   const middle: Point = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2],
     dx = -Math.cos(heading),
     dy = -Math.sin(heading);
   const at = (metres: number): Point => [middle[0] + dx * metres, middle[1] + dy * metres];
   let free = RAY_STEP;
-  while (free < aisle && !isTaken(bench, at(free))) free += RAY_STEP;
+  while (free < aisle && !isTaken(context, at(free))) free += RAY_STEP;
   return { from: middle, to: at(aisle), width: aisle, free: Math.min(aisle, free) };
 }
 
 /** True if a point lies off the ground, on an obstacle or in a bay. */
-function isTaken(bench: Bench, p: Point): boolean {
-  const { scene } = bench.store.state,
+function isTaken(context: ToolContext, p: Point): boolean {
+  const { scene } = context.store.state,
     { boundary, slots } = resolve(scene);
   return (
     !insidePolygon(p, boundary) ||

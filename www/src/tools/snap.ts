@@ -4,7 +4,7 @@ import { poseInSlot, resolve, type Scene } from "../scene/model";
 import { boxOf, distance, radians, wrapAngle, type Box, type Point } from "../scene/geometry";
 import { cornersOf, verticesOf, type Shape } from "../scene/shapes";
 import type { Guide } from "../store/draft";
-import { metresOf, type Bench, type Input } from "./tool";
+import { metresOf, type ToolContext, type Input } from "./tool";
 
 const SNAP_PX = 8;
 const ANGLE_STEP = radians(15),
@@ -13,8 +13,8 @@ const ANGLE_STEP = radians(15),
 const SLOT_REACH = { metres: 1.2, px: 14, angle: radians(35) };
 
 /** Ctrl inverts the setting. */
-export const snaps = (bench: Bench, input: Input): boolean =>
-  !input.keyed && bench.store.state.toolOptions.snap !== input.ctrl;
+export const snaps = (context: ToolContext, input: Input): boolean =>
+  !input.keyed && context.store.state.toolOptions.snap !== input.ctrl;
 
 /** Multiples of 15° within 3°; `free` leaves the angle alone, `always` takes the nearest. */
 export function snapAngle(angle: number, mode: "near" | "always" | "free" = "near"): number {
@@ -39,10 +39,10 @@ export interface Snapped {
 const both = (shift: (axis: 0 | 1) => Shift): [Shift, Shift] => [shift(0), shift(1)];
 
 /** The nearest corner within 8 px, else in line with one or on the cell grid, else the point. */
-export function snapPoint(bench: Bench, input: Input, skip?: string): Snapped {
-  if (!snaps(bench, input)) return { at: input.at, guides: [] };
-  const reach = metresOf(bench, SNAP_PX),
-    { scene } = bench.store.state;
+export function snapPoint(context: ToolContext, input: Input, skip?: string): Snapped {
+  if (!snaps(context, input)) return { at: input.at, guides: [] };
+  const reach = metresOf(context, SNAP_PX),
+    { scene } = context.store.state;
   const marks = marksOf(scene, skip === undefined ? [] : [skip]);
   const corner = nearest(marks, input.at);
   if (corner && distance(corner, input.at) <= reach) return { at: corner, guides: [{ from: corner, to: corner }] };
@@ -56,15 +56,15 @@ export function snapPoint(bench: Bench, input: Input, skip?: string): Snapped {
  * the grid.
  */
 export function snapMove(
-  bench: Bench,
+  context: ToolContext,
   input: Input,
   from: Box,
   by: Point,
   skip: readonly string[],
 ): { by: Point; guides: Guide[] } {
-  if (!snaps(bench, input)) return { by, guides: [] };
-  const reach = metresOf(bench, SNAP_PX),
-    { scene } = bench.store.state;
+  if (!snaps(context, input)) return { by, guides: [] };
+  const reach = metresOf(context, SNAP_PX),
+    { scene } = context.store.state;
   const [left, low, right, high] = [from.minX + by[0], from.minY + by[1], from.maxX + by[0], from.maxY + by[1]];
   const marks = marksOf(scene, skip);
   const [x, y] = both((axis) =>
@@ -156,18 +156,18 @@ export interface SnappedPose {
 }
 
 /** A dragged pose: into a free slot close by, or in line with the other pose. */
-export function snapPose(bench: Bench, input: Input, which: "start" | "goal", pose: Pose): SnappedPose {
-  if (!snaps(bench, input)) return { pose, goal: pose, guides: [] };
-  const slot = which === "goal" ? snapToSlot(bench, pose) : null;
+export function snapPose(context: ToolContext, input: Input, which: "start" | "goal", pose: Pose): SnappedPose {
+  if (!snaps(context, input)) return { pose, goal: pose, guides: [] };
+  const slot = which === "goal" ? snapToSlot(context, pose) : null;
   if (slot) return slot;
-  const resolved = resolve(bench.store.state.scene);
-  return align(bench, pose, which === "start" ? resolved.goal : resolved.start);
+  const resolved = resolve(context.store.state.scene);
+  return align(context, pose, which === "start" ? resolved.goal : resolved.start);
 }
 
-function snapToSlot(bench: Bench, pose: Pose): SnappedPose | null {
-  const { scene } = bench.store.state,
+function snapToSlot(context: ToolContext, pose: Pose): SnappedPose | null {
+  const { scene } = context.store.state,
     { vehicle } = resolve(scene);
-  let least = Math.max(metresOf(bench, SLOT_REACH.px), SLOT_REACH.metres),
+  let least = Math.max(metresOf(context, SLOT_REACH.px), SLOT_REACH.metres),
     best: SnappedPose | null = null;
   for (const slot of scene.slots ?? []) {
     if (slot.occupied || slot.id === undefined) continue;
@@ -188,8 +188,8 @@ const axisGuide = ({ x, y, heading }: Pose): Guide => {
   return { from: [x - dx, y - dy], to: [x + dx, y + dy] };
 };
 
-function align(bench: Bench, pose: Pose, other: Pose): SnappedPose {
-  const reach = metresOf(bench, SNAP_PX) * 0.75;
+function align(context: ToolContext, pose: Pose, other: Pose): SnappedPose {
+  const reach = metresOf(context, SNAP_PX) * 0.75;
   const x = Math.abs(pose.x - other.x) <= reach ? other.x : pose.x;
   const y = Math.abs(pose.y - other.y) <= reach ? other.y : pose.y;
   const guides: Guide[] = x === other.x || y === other.y ? [{ from: [x, y], to: [other.x, other.y] }] : [];

@@ -20,7 +20,7 @@ export interface Input {
 }
 
 /** A tool's way to the page. */
-export interface Bench {
+export interface ToolContext {
   readonly store: Store;
   readonly view: View;
   /** The thing under the pointer. */
@@ -39,21 +39,21 @@ export interface Bench {
 export interface Tool {
   /** Draws from the press to the release, rather than press by press. */
   readonly drags?: boolean;
-  cursor(bench: Bench, input: Input | null): string;
+  cursor(context: ToolContext, input: Input | null): string;
   /** The pointer moves without a press; null when it leaves. */
-  hover?(bench: Bench, input: Input | null): void;
-  down?(bench: Bench, input: Input): void;
-  move?(bench: Bench, input: Input): void;
-  up?(bench: Bench, input: Input): void;
-  doubleClick?(bench: Bench, input: Input): void;
+  hover?(context: ToolContext, input: Input | null): void;
+  down?(context: ToolContext, input: Input): void;
+  move?(context: ToolContext, input: Input): void;
+  up?(context: ToolContext, input: Input): void;
+  doubleClick?(context: ToolContext, input: Input): void;
   /** Enter. */
-  confirm?(bench: Bench): boolean;
+  confirm?(context: ToolContext): boolean;
   /** Escape, or the gesture became another: true where there was something to give up. */
-  cancel?(bench: Bench): boolean;
+  cancel?(context: ToolContext): boolean;
   /** Turns of a wheel, positive away from the user: true where the tool takes it. */
-  wheel?(bench: Bench, input: Input, notches: number): boolean;
+  wheel?(context: ToolContext, input: Input, notches: number): boolean;
 }
 
 /** Reach of a pointer: half of the hit area's 24 px, or 44 px for fingers. */
 export const reachOf = (input: Input): number => (input.touch ? 22 : 12);
-export const metresOf = (bench: Bench, px: number): number => px / bench.view.camera.scale;
+export const metresOf = (context: ToolContext, px: number): number => px / context.view.camera.scale;

@@ -3,14 +3,15 @@ import { updateObstacle } from "../scene/model";
 import { crossesItself, type Point } from "../scene/geometry";
 import { edgeAt, vertexAt, type Shape } from "../scene/shapes";
 import { selectedShape } from "./hit";
-import { metresOf, type Bench, type Input } from "./tool";
+import { metresOf, type ToolContext, type Input } from "./tool";
 
 /** On an edge of the selected polygon or wall: a new vertex; on a vertex: without it. */
-export function editVertex(bench: Bench, input: Input): void {
-  const shape = selectedShape(bench.store.state);
+export function editVertex(context: ToolContext, input: Input): void {
+  const shape = selectedShape(context.store.state);
   if (!shape || !("points" in shape)) return;
-  const points = withoutVertex(shape, input.at, metresOf(bench, 10)) ?? withVertex(shape, input.at, metresOf(bench, 8));
-  if (points) bench.commit(updateObstacle(bench.store.state.scene, shape.id, { ...shape, points }), "vertex");
+  const points =
+    withoutVertex(shape, input.at, metresOf(context, 10)) ?? withVertex(shape, input.at, metresOf(context, 8));
+  if (points) context.commit(updateObstacle(context.store.state.scene, shape.id, { ...shape, points }), "vertex");
 }
 
 function withVertex(shape: Extract<Shape, { points: Point[] }>, at: Point, reach: number): Point[] | null {

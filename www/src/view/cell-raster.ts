@@ -3,6 +3,7 @@ import type { MapFrame } from "parkade";
 import { firstOfRow, type Run } from "../scene/cells";
 import { screenToWorld } from "./camera";
 import { toScreen, type Frame } from "./frame";
+import { context2d, newCanvas } from "./surface";
 import { parseColour } from "./tokens";
 
 /** Cells to a side of the squares whose edges are one path. */
@@ -151,12 +152,7 @@ class Sheet {
     const [r, g, b] = parseColour(colour) ?? [128, 128, 128];
     this.word = ((255 << 24) | (b << 16) | (g << 8) | r) >>> 0;
     for (let w = width, h = height; ; w = Math.ceil(w / 2), h = Math.ceil(h / 2)) {
-      const canvas = document.createElement("canvas");
-      canvas.width = w;
-      canvas.height = h;
-      const ctx = canvas.getContext("2d");
-      if (!ctx) throw new Error("This browser gives no 2D canvas.");
-      this.levels.push(ctx);
+      this.levels.push(context2d(newCanvas(w, h)));
       if (Math.max(w, h) <= 64) break;
     }
   }

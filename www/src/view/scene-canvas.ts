@@ -7,6 +7,7 @@ import { cameraFor, type View } from "./camera";
 import { waiting } from "./piece";
 import { makeFrame, type Shown } from "./frame";
 import { SceneLayers } from "./scene-layers";
+import { context2d } from "./surface";
 import type { Tokens } from "./tokens";
 
 /** An answer older than this while its planner works is drawn as a ghost. */
@@ -35,9 +36,7 @@ export class SceneCanvas {
   private staleTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
-    const ctx = canvas.getContext("2d");
-    if (!ctx) throw new Error("This browser gives no 2D canvas.");
-    this.ctx = ctx;
+    this.ctx = context2d(canvas);
     this.observer = new ResizeObserver(() => this.resized());
     this.observer.observe(canvas);
     waiting.add(this.redraw);

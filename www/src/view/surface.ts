@@ -14,6 +14,12 @@ let surface = screen;
 
 export const newPath = (): Path2D => surface.path();
 export const newCanvas = (width: number, height: number): HTMLCanvasElement => surface.canvas(width, height);
+/** What draws on a canvas; an error where the browser has nothing that does. */
+export function context2d(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
+  const context = canvas.getContext("2d");
+  if (!context) throw new Error("This browser gives no 2D canvas.");
+  return context;
+}
 export const onScreen = (): boolean => surface === screen;
 
 /** Runs `draw` with this surface. */

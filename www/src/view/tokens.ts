@@ -96,7 +96,7 @@ const luminance = ([r, g, b]: Rgb): number => (0.2126 * r + 0.7152 * g + 0.0722 
 const made = new Map<string, string>();
 
 /** Colours are made once: every frame asks for the same few. */
-function remember(key: string, make: () => string): string {
+function memoised(key: string, make: () => string): string {
   const known = made.get(key);
   if (known !== undefined) return known;
   if (made.size > 500) made.clear();
@@ -107,7 +107,7 @@ function remember(key: string, make: () => string): string {
 
 /** `share` of `colour` laid on `ground`. */
 export function mix(colour: string, ground: string, share: number): string {
-  return remember(`${colour}|${ground}|${share}`, () => {
+  return memoised(`${colour}|${ground}|${share}`, () => {
     const a = parseColour(colour),
       b = parseColour(ground);
     if (!a || !b) return colour;
@@ -116,7 +116,7 @@ export function mix(colour: string, ground: string, share: number): string {
 }
 
 export function fade(colour: string, alpha: number): string {
-  return remember(`${colour}|${alpha}`, () => {
+  return memoised(`${colour}|${alpha}`, () => {
     const rgb = parseColour(colour);
     return rgb ? `rgb(${rgb.join(" ")} / ${alpha})` : colour;
   });

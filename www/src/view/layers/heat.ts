@@ -4,7 +4,7 @@ import type { State } from "../../store";
 import { vast } from "../lazy-large-maps";
 import { inPixels, toScreen, type Frame, type Shown } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";
-import { newCanvas } from "../surface";
+import { context2d, newCanvas } from "../surface";
 
 /** Cells of which a whole picture is too slow to paint again and again. */
 const TOO_MANY = 500_000;
@@ -77,8 +77,7 @@ export class HeatLayer {
 
 function blank(width: number, height: number): Painted {
   const canvas = newCanvas(width, height);
-  const ctx = canvas.getContext("2d");
-  if (!ctx) throw new Error("This browser gives no 2D canvas.");
+  const ctx = context2d(canvas);
   const image = ctx.createImageData(width, height);
   return { trace: null, count: -1, canvas, ctx, image, words: new Uint32Array(image.data.buffer) };
 }

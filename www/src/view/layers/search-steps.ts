@@ -2,7 +2,7 @@ import type { SearchTrace } from "parkade";
 import { STEP, type SearchReplay } from "../../planning/search-replay";
 import { inPixels, toScreen, type Frame } from "../frame";
 import { RAMP_SIZE, RAMP_WORDS } from "../ramp";
-import { newCanvas } from "../surface";
+import { context2d, newCanvas } from "../surface";
 import { useFont } from "../text";
 import { screenToWorld } from "../camera";
 import { fade, parseColour } from "../tokens";
@@ -246,8 +246,7 @@ function wordOf(colour: string): number {
 
 function blank(width: number, height: number): Picture {
   const canvas = newCanvas(width, height);
-  const ctx = canvas.getContext("2d");
-  if (!ctx) throw new Error("This browser gives no 2D canvas.");
+  const ctx = context2d(canvas);
   const image = ctx.createImageData(width, height);
   return { canvas, ctx, image, words: new Uint32Array(image.data.buffer), at: -1 };
 }

@@ -10,7 +10,7 @@ import { nth } from "../../scene/nth";
 
 const FIELDS = 5;
 /** Connections drawn at once, evenly picked: thousands would be a carpet. */
-const MOST_SHOTS = 60;
+const MOST_FAILED = 60;
 const CROSS_PX = 3.5;
 
 type Arcs = Extract<Trace, { kind: "arcs" }>;
@@ -19,7 +19,7 @@ interface Built {
   count: number;
   forward: Path2D[];
   reverse: Path2D[];
-  shots: Path2D;
+  failed: Path2D;
   hits: number[];
 }
 
@@ -38,7 +38,7 @@ export class TreeLayer {
       ctx,
       tokens: { colour },
     } = frame;
-    const { forward, reverse, shots, hits } = this.build(plan.trace, expansionsShown(frame.state, plan));
+    const { forward, reverse, failed, hits } = this.build(plan.trace, expansionsShown(frame.state, plan));
     ctx.save();
     inMetres(frame);
     ctx.lineWidth = pixels(frame, 1.1);
@@ -53,7 +53,7 @@ export class TreeLayer {
     ctx.setLineDash([pixels(frame, 5), pixels(frame, 3.5)]);
     ctx.lineWidth = pixels(frame, 1);
     ctx.strokeStyle = fade(colour.err, 0.55);
-    ctx.stroke(shots);
+    ctx.stroke(failed);
     ctx.setLineDash([]);
     inPixels(frame);
     ctx.lineWidth = 1.5;
@@ -82,7 +82,7 @@ export class TreeLayer {
       const arc = arcs.subarray(i * FIELDS, i * FIELDS + FIELDS);
       addArc(nth(nth(arc, 4) < 0 ? reverse : forward, Math.floor((i * RAMP_STOPS.length) / total)), arc);
     }
-    this.built = { trace, count, forward, reverse, ...shotsUpTo(trace, count) };
+    this.built = { trace, count, forward, reverse, ...failedUpTo(trace, count) };
     return this.built;
   }
 }
@@ -95,19 +95,19 @@ function strokeBands({ ctx }: Frame, bands: readonly Path2D[]): void {
 }
 
 /** The failed connections tried within the first `count` expansions, and where each hit. */
-function shotsUpTo({ shots }: Arcs, count: number): Pick<Built, "shots" | "hits"> {
+function failedUpTo({ failedExpansions: failed }: Arcs, count: number): Pick<Built, "failed" | "hits"> {
   const path = newPath(),
     hits: number[] = [];
-  const tried = shots.expansions.filter((before) => before <= count).length,
-    step = Math.max(1, tried / MOST_SHOTS);
+  const tried = failed.expansions.filter((before) => before <= count).length,
+    step = Math.max(1, tried / MOST_FAILED);
   for (let k = tried - 1; k >= 0; k -= step) {
     const i = Math.round(k),
-      from = nth(shots.first, i),
-      to = shots.first[i + 1] ?? shots.arcs.length / FIELDS;
-    for (let at = from; at < to; at++) addArc(path, shots.arcs.subarray(at * FIELDS, at * FIELDS + FIELDS));
-    hits.push(nth(shots.hits, 3 * i), nth(shots.hits, 3 * i + 1));
+      from = nth(failed.first, i),
+      to = failed.first[i + 1] ?? failed.arcs.length / FIELDS;
+    for (let at = from; at < to; at++) addArc(path, failed.arcs.subarray(at * FIELDS, at * FIELDS + FIELDS));
+    hits.push(nth(failed.hits, 3 * i), nth(failed.hits, 3 * i + 1));
   }
-  return { shots: path, hits };
+  return { failed: path, hits };
 }
 
 /** x, y, heading at its beginning, curvature, signed length as driven. */

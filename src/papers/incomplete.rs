@@ -18,12 +18,12 @@ const MAX_SEEDS: u64 = 10_000;
 ///
 /// # Examples
 /// ```
-/// use parkade::papers::{grid::row, stranded::stranded};
+/// use parkade::papers::{grid::row, incomplete::incomplete};
 ///
-/// let seeds = stranded(row("random-60").unwrap(), 1, 20).unwrap();
+/// let seeds = incomplete(row("random-60").unwrap(), 1, 20).unwrap();
 /// assert!(seeds.len() < 5);
 /// ```
-pub fn stranded(row: &Row, from: u64, to: u64) -> Result<Vec<u64>, Error> {
+pub fn incomplete(row: &Row, from: u64, to: u64) -> Result<Vec<u64>, Error> {
     if from > to || to - from >= MAX_SEEDS {
         let rule = message!("must be {} to {}, got {}", from, from.saturating_add(MAX_SEEDS - 1), to);
         return Err(Error::new(ErrorCode::Input, "to", rule));
@@ -49,10 +49,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_literal_planner_is_stranded_on_12_and_18_of_200_maps_of_60_cells() {
-        let count = |id| stranded(row(id).unwrap(), 1, 200).unwrap().len();
+    fn the_literal_planner_is_incomplete_on_12_and_18_of_200_maps_of_60_cells() {
+        let count = |id| incomplete(row(id).unwrap(), 1, 200).unwrap().len();
         assert_eq!((count("random-60"), count("regular-60")), (12, 18));
-        let all: Vec<_> = ROWS.iter().map(|row| (row.id, stranded(row, 1, 200).unwrap().len())).collect();
+        let all: Vec<_> = ROWS.iter().map(|row| (row.id, incomplete(row, 1, 200).unwrap().len())).collect();
         println!("{all:?}");
         assert!(all.iter().all(|(_, count)| *count > 0));
     }
@@ -60,8 +60,9 @@ mod tests {
     #[test]
     fn slices_add_up_and_bad_ones_are_named() {
         let row = row("regular-30").unwrap();
-        let (whole, parts) = (stranded(row, 1, 40).unwrap(), [stranded(row, 1, 15), stranded(row, 16, 40)]);
+        let (whole, parts) =
+            (incomplete(row, 1, 40).unwrap(), [incomplete(row, 1, 15), incomplete(row, 16, 40)]);
         assert_eq!(whole, parts.map(Result::unwrap).concat());
-        assert_eq!(stranded(row, 3, 2).unwrap_err().to_string(), "to: must be 3 to 10002, got 2");
+        assert_eq!(incomplete(row, 3, 2).unwrap_err().to_string(), "to: must be 3 to 10002, got 2");
     }
 }
