@@ -26,9 +26,9 @@ pub(crate) fn generate() -> Result<()> {
     book()
 }
 
-/// The program that makes books.
+/// The program that makes books. Three pages are made with it: it compiles twice as fast without optimisation.
 pub(crate) fn mdbook() -> Result<PathBuf> {
-    cargo_tool("mdbook", MDBOOK, &["--no-default-features"])
+    cargo_tool("mdbook", MDBOOK, &["--no-default-features", "--debug"])
 }
 
 fn book() -> Result<()> {
