@@ -305,7 +305,6 @@ pub(super) const REFINEMENTS: usize = 4;
 /// Weight of the estimate on them.
 const REFINED_WEIGHT: f64 = 1.3;
 /// Cost of a gear change where the car may rock or the tree grows from the other end, metres.
-#[cfg(feature = "complete")]
 pub(super) const CHEAP_CHANGE_COST: f64 = 0.2;
 /// Turn of a rock, in heading bins: it leaves the bin.
 const ROCK_BINS: f64 = 2.0;

@@ -201,6 +201,7 @@ pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member
 
 /// The members with ever finer lattices and the least margin with which a car need not creep. A car that gains
 /// millimetres with each gear change never leaves the cell of a coarser one, which is then soon searched to its end.
+#[cfg(feature = "complete")]
 fn refined(levels: u32, widest: usize, margins: &[f64]) -> impl Iterator<Item = Member> {
     let comfortable = margins.iter().rposition(|&margin| margin >= COMFORTABLE_MARGIN);
     let margin = comfortable.filter(|&margin| margin >= widest && levels > FIRST_SHUFFLING_LEVEL);
