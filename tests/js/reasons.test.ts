@@ -3,7 +3,7 @@ import { join } from "node:path";
 import { describe, expect, it } from "vitest";
 import { init, ParkadeError } from "parkade";
 import { chineseReasons } from "../../www/src/i18n/reasons-zh";
-import type { Refusal } from "../../www/src/i18n/refusal";
+import type { Said } from "../../www/src/i18n/said";
 import { bounded } from "../../www/src/scene/foreign";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
 import type { Scenario } from "../../www/src/scene/scenario";
@@ -116,7 +116,7 @@ describe("reasons in Chinese", () => {
     const folder = join(ROOT, "www/src"),
       texts = readdirSync(folder, { recursive: true, encoding: "utf8" })
         .filter((name) => name.endsWith(".ts"))
-        .flatMap((name) => [...readFileSync(join(folder, name), "utf8").matchAll(/new Refusal\(\s*rule`([^`]+)`/g)])
+        .flatMap((name) => [...readFileSync(join(folder, name), "utf8").matchAll(/refused\(\s*rule`([^`]+)`/g)])
         .map(([, text]) => text!.replaceAll(/\$\{[^}]*\}/g, "{}"));
     expect(texts.length).toBeGreaterThan(3);
     for (const template of texts) {
@@ -131,11 +131,11 @@ describe("reasons in Chinese", () => {
   it("are there for what is too large for a page", () => {
     const start = { x: 0, y: 0, heading: 0 },
       map = { origin: [0, 0], width: 9, height: 9, resolution: 1 };
-    const reasonOf = (more: object): Refusal => {
+    const reasonOf = (more: object): Said => {
       try {
         bounded({ version: 1, map, start, goal: start, ...more } as unknown as Scenario);
       } catch (error) {
-        return error as Refusal;
+        return error as Said;
       }
       throw new Error("it is small enough");
     };
