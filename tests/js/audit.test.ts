@@ -204,7 +204,7 @@ describe("an audit in parts", () => {
     writeFileSync(join(folder, "refused.json"), "{}");
     const run = (...words: string[]) =>
       spawnSync(process.execPath, [command, ...words], { cwd: folder, encoding: "utf8" });
-    run(
+    const batch = run(
       "batch",
       "lot.json",
       "refused.json",
@@ -215,6 +215,10 @@ describe("an audit in parts", () => {
       "--out",
       "all.jsonl",
       "--quiet",
+    );
+    const inReach = rows.every((row) => row.reachable);
+    expect(batch.stdout).toContain(
+      `2 of 2 audited (2 now): ${inReach ? 1 : 0} with all bays in reach, ${inReach ? 0 : 1} without, 1 refused`,
     );
     expect(run("columns", "all.jsonl", "--out", "all.parquet").stdout).toBe(
       `all.parquet: 2 results, ${rows.length + 1} rows\n`,

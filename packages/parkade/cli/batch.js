@@ -85,20 +85,33 @@ export async function batch(places, values, module) {
     };
     const stopped = await planned(pool, open, jobs, each, timeout);
     progress.end();
-    return told(results, tasks.length, open.length, out, stopped);
+    return told(results, { of: tasks.length, now: open.length, isAudit }, out, stopped);
   } finally {
     await pool.destroy();
   }
 }
 
-/** @param {Result[]} all @param {number} tasks @param {number} open @param {string} out @param {boolean} stopped */
-function told(all, tasks, open, out, stopped) {
+/** What the two numbers of the last line count: scenes with a path and without, or lots. */
+const COUNTED = {
+  plan: ["planned", "found", "without a path"],
+  audit: ["audited", "with all bays in reach", "without"],
+};
+
+/**
+ * Says what became of the batch.
+ * @param {Result[]} all
+ * @param {{ of: number, now: number, isAudit: boolean }} tasks
+ * @param {string} out
+ * @param {boolean} stopped
+ */
+function told(all, { of, now, isAudit }, out, stopped) {
   const found = all.filter(({ outcome }) => outcome === "found").length,
-    failed = all.filter(({ error }) => error !== undefined);
+    failed = all.filter(({ error }) => error !== undefined),
+    [done, good, bad] = COUNTED[isAudit ? "audit" : "plan"];
   process.stdout.write(
-    `${all.length} of ${tasks} planned (${open - (tasks - all.length)} now): ${found} found, ${
+    `${all.length} of ${of} ${done} (${now - (of - all.length)} now): ${found} ${good}, ${
       all.length - found - failed.length
-    } without a path, ${failed.length} refused; digest ${digest(all)}\n`,
+    } ${bad}, ${failed.length} refused; digest ${digest(all)}\n`,
   );
   for (const { scene, planner, error } of failed.slice(0, 10))
     process.stderr.write(`parkade: ${scene} (${planner}): ${error && explained(error)}\n`);
