@@ -6,7 +6,7 @@ import type { Draft } from "../../www/src/store/draft";
 import { MovingTool, PolygonTool, RoadTool, WallTool } from "../../www/src/tools/line";
 import { SelectTool } from "../../www/src/tools/select";
 import { SlotTool } from "../../www/src/tools/slot";
-import type { Bench, Input, Tool } from "../../www/src/tools/tool";
+import type { ToolContext, Input, Tool } from "../../www/src/tools/tool";
 import { gripOf } from "../../www/src/view/pose-handle";
 
 const yard: Scene = {
@@ -19,7 +19,7 @@ const yard: Scene = {
   goal: { x: 14, y: 5, heading: 0 },
 };
 
-function bench(initial: Partial<State> = {}): Bench & { draft: Draft | null } {
+function bench(initial: Partial<State> = {}): ToolContext & { draft: Draft | null } {
   const store = createStore({ scene: yard, ...initial });
   return {
     store,
@@ -49,13 +49,13 @@ const input = (x: number, y: number, more: Partial<Input> = {}): Input => ({
   ...more,
 });
 
-function drag(tool: Tool, on: Bench, points: [number, number][], more: Partial<Input> = {}): void {
+function drag(tool: Tool, on: ToolContext, points: [number, number][], more: Partial<Input> = {}): void {
   tool.down?.(on, input(...points[0]!, more));
   for (const point of points.slice(1)) tool.move?.(on, input(...point, more));
   tool.up?.(on, input(...points.at(-1)!, more));
 }
 
-const steps = ({ store }: Bench): number => {
+const steps = ({ store }: ToolContext): number => {
   let count = 0;
   for (; store.state.canUndo; count++) store.undo();
   return count;
@@ -225,7 +225,7 @@ describe("the brush", () => {
 });
 
 describe("corner by corner", () => {
-  const click = (tool: Tool, on: Bench, x: number, y: number): void => drag(tool, on, [[x, y]]);
+  const click = (tool: Tool, on: ToolContext, x: number, y: number): void => drag(tool, on, [[x, y]]);
 
   it("walls end with Enter", () => {
     const on = bench();
@@ -317,7 +317,7 @@ describe("a slot row", () => {
 });
 
 describe("a line tool", () => {
-  const corners = (tool: Tool, on: Bench, points: [number, number][]): boolean => {
+  const corners = (tool: Tool, on: ToolContext, points: [number, number][]): boolean => {
     for (const point of points) {
       tool.down?.(on, input(...point));
       tool.up?.(on, input(...point));

@@ -8,7 +8,7 @@ import { footprint, vehicleOf } from "../../www/src/scene/vehicle";
 import { createStore, initialState, type Scene } from "../../www/src/store";
 import { SlotTool } from "../../www/src/tools/slot";
 import { watchGoalSlot } from "../../www/src/tools/slot-fit";
-import type { Bench, Input } from "../../www/src/tools/tool";
+import type { ToolContext, Input } from "../../www/src/tools/tool";
 
 const KINDS: readonly SlotKind[] = ["perpendicular", "parallel", "angled"];
 const yard: Scene = {
@@ -32,7 +32,7 @@ const row = (
   }));
 };
 
-function benchOf(scene: Scene): Bench {
+function benchOf(scene: Scene): ToolContext {
   const store = createStore({ scene });
   return {
     store,
@@ -55,7 +55,7 @@ const input = (x: number, y: number): Input => ({
   touch: false,
 });
 
-function place(bench: Bench, from: [number, number], to: [number, number]): Slot[] {
+function place(bench: ToolContext, from: [number, number], to: [number, number]): Slot[] {
   const before = bench.store.state.scene.slots?.length ?? 0,
     tool = new SlotTool();
   tool.down(bench, input(...from));
