@@ -12,7 +12,7 @@ import type { On } from "./inputs";
 
 const SMALL: readonly Column[] = ["length", "gears", "clearance", "plan"];
 /** Percent: as wide as their usual contents, so that no column moves when answers come. */
-const WIDTHS = [14, 16, 6.9, 5.9, 7, 8.6, 7.5, 6.9, 8.1, 5, 7.1, 7],
+const WIDTHS = [14, 16.4, 6.9, 5.9, 7, 8.6, 7.5, 6.9, 8.1, 5, 7.1, 6.6],
   SMALL_WIDTHS = [21.5, 18, 17, 11, 13.3, 19.2];
 
 /** The planners' numbers side by side, the best drivable ones starred. */
