@@ -78,7 +78,7 @@ impl FloodMemory {
     }
 }
 
-#[cfg(all(test, feature = "complete"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::Point;
