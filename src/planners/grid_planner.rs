@@ -2,7 +2,7 @@
 
 use super::parameters::Parameters;
 use super::query::{GridReport, GridScratch, Query};
-use super::risk_field::Config as RiskFieldConfig;
+use super::risk_field::config::Config as RiskFieldConfig;
 use super::settings::Common;
 use crate::map::Bits;
 use crate::search::Recording;

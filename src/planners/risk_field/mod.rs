@@ -9,7 +9,7 @@
 //! Units: distances in the field are cells, forces have none, and costs are micro-cells. Of equal priorities the
 //! smaller estimate and then the newest entry comes first, as in all grid planners.
 
-mod config;
+pub(super) mod config;
 mod directions;
 mod domain;
 mod explain;
