@@ -29,7 +29,7 @@ pub(crate) fn print(run: &Run, kinds: &[Kind], cars: &[crate::Car]) {
                 let Some([first, fewest, time, all]) = preferred(&scene, &run.config) else { continue };
                 let (first, fewest) = (first as u32, fewest as u32);
                 (spent, first_spent) = (spent + all, first_spent + time);
-                let best = if std::env::var("NOBEST").is_ok() { None } else { best(&scene, fewest) };
+                let best = best(&scene, fewest);
                 count += 1;
                 saved += first - first.min(fewest);
                 worse += u32::from(fewest > first);

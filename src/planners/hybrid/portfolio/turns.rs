@@ -1,23 +1,15 @@
 //! The members' turns: who searches next, how much, and what follows from how a search ended.
 
-#[cfg(feature = "complete")]
 use core::cell::OnceCell;
 
 use super::floods::Floods;
-#[cfg(feature = "complete")]
-use super::members::Style;
-use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, From, MANY_CHANGES, Member, arrange, members};
+use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, From, MANY_CHANGES, Member, Style, arrange, members};
 #[cfg(feature = "complete")]
 use super::open_space;
-#[cfg(feature = "complete")]
 use crate::geometry::Pose;
 use crate::geometry::arcs;
-use crate::planners::hybrid::config::Level;
-#[cfg(feature = "complete")]
-use crate::planners::hybrid::config::SearchFrom;
-#[cfg(feature = "complete")]
+use crate::planners::hybrid::config::{Level, SearchFrom};
 use crate::planners::hybrid::holonomic;
-#[cfg(feature = "complete")]
 use crate::planners::hybrid::pose_heuristic::PoseHeuristic;
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
