@@ -83,7 +83,7 @@ mod tests {
 
     /// The words of a union of strings in the package's types.
     fn union(name: &str) -> Vec<String> {
-        let types = concat!(env!("CARGO_MANIFEST_DIR"), "/packages/parkade/index.d.ts");
+        let types = concat!(env!("CARGO_MANIFEST_DIR"), "/packages/parkade/types/plan.d.ts");
         let types = std::fs::read_to_string(types).unwrap();
         let union = types.split(&format!("export type {name} =")).nth(1).unwrap();
         let words = union.split(';').next().unwrap().split('"').skip(1).step_by(2);

@@ -31,7 +31,7 @@ use crate::scenario::resolve::{Geometry, Owner, PARKED};
 use crate::search::Recording;
 use crate::vehicle::Vehicle;
 
-/// A plan as `index.d.ts` describes it; optional parts are set only where the plan has them.
+/// A plan as `types/plan.d.ts` describes it; optional parts are set only where the plan has them.
 pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValue {
     let poses: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
     let raw: Vec<f64> = plan.raw_path.iter().flat_map(|p| [p.x, p.y]).collect();

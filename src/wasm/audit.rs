@@ -33,7 +33,7 @@ fn poses(way: &Way) -> JsValue {
 }
 
 /// Puts a way's fields into an object.
-/// Columns and words are those of a row of the audit, as in `index.d.ts`.
+/// Columns and words are those of a row of the audit, as in `types/audit.d.ts`.
 fn fill(target: &JsValue, way: &Way) {
     let text = |text: Option<&str>| text.map_or(JsValue::NULL, JsValue::from);
     let fields = [

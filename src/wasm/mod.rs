@@ -1,4 +1,4 @@
-//! The JS border: exported functions and the planner session. Types are in `packages/parkade/index.d.ts`.
+//! The JS border: exported functions and the planner session. Types are in `packages/parkade/types`.
 //!
 //! A function here does three things and no more: it reads its arguments, calls the crate, and writes the answer.
 //! Errors leave as thrown `ParkadeError`s with a code and the path of the field; a panic is a bug and ends the

@@ -1,4 +1,4 @@
-import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { beforeAll, describe, expect, test } from "vitest";
 import * as parkade from "parkade";
 import {
@@ -12,6 +12,7 @@ import {
   scenario,
   scenarios,
 } from "parkade";
+import { declared } from "./declared.mjs";
 
 /** The ParkadeError that `run` throws, in parts. */
 function failure(run: () => unknown) {
@@ -86,9 +87,8 @@ describe("after init", () => {
   });
 
   test("the types declare what the package exports", () => {
-    const declarations = readFileSync(new URL("../../pkg/index.d.ts", import.meta.url), "utf8");
-    const declared = [...declarations.matchAll(/^export (?:function|class|const) (\w+)/gm)].map((match) => match[1]);
-    expect(Object.keys(parkade).sort()).toEqual(declared.sort());
+    const { values } = declared(fileURLToPath(new URL("../../pkg/index.d.ts", import.meta.url)));
+    expect(Object.keys(parkade).sort()).toEqual(values.sort());
   });
 
   test("planners and scenarios answer by the ids that they list", () => {

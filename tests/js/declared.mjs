@@ -16,7 +16,7 @@ const marked = (/** @type {string} */ text) =>
 
 /**
  * The exported types and values, and the types of what functions and methods of classes answer, by `name` and
- * `Class.name`. What answers nothing or a promise is left out.
+ * `Class.name`, also those of files that are exported whole. What answers nothing or a promise is left out.
  * @param {string} file
  */
 export function declared(file) {
@@ -29,6 +29,12 @@ export function declared(file) {
     if (!/^void$|^Promise</.test(text)) answers[name] = text;
   };
   for (const node of source.statements) {
+    if (ts.isExportDeclaration(node) && !node.exportClause && !node.isTypeOnly) {
+      const more = declared(join(file, "..", node.moduleSpecifier.text.replace(/\.js$/, ".d.ts")));
+      types.push(...more.types);
+      values.push(...more.values);
+      Object.assign(answers, more.answers);
+    }
     if (ts.isExportDeclaration(node) && node.exportClause)
       (node.isTypeOnly ? types : values).push(...node.exportClause.elements.map((one) => one.name.text));
     if (ts.isInterfaceDeclaration(node) || ts.isTypeAliasDeclaration(node)) types.push(node.name.text);

@@ -6,6 +6,7 @@ import { afterAll, beforeAll, expect, test } from "vitest";
 import { chapter, pages } from "../../docs/.vitepress/planners";
 import { PAGES, reference } from "../../docs/.vitepress/reference";
 import { WORDS } from "../../docs/.vitepress/words";
+import { declared } from "./declared.mjs";
 import { installed, parkade } from "./pack";
 
 const DOCS = fileURLToPath(new URL("../../docs/", import.meta.url));
@@ -128,11 +129,11 @@ test("every sample is of a kind that is run or only shown", () => {
 });
 
 test("the reference has a page for every exported name, with what the types say of it", () => {
-  const text = ["index.d.ts", "settings.d.ts"]
-    .map((file) => readFileSync(new URL(`../../packages/parkade/${file}`, import.meta.url), "utf8"))
-    .join("\n");
   const names = new Set(
-    [...text.matchAll(/^export (?:declare )?(?:class|function|interface|type) (\w+)/gm)].map(([, name]) => name!),
+    ["index.d.ts", "settings.d.ts"].flatMap((file) => {
+      const { types, values } = declared(fileURLToPath(new URL(`../../packages/parkade/${file}`, import.meta.url)));
+      return [...types, ...values];
+    }),
   );
   const listed = reference().flatMap(({ items }) => items!.map(({ text: name }) => name));
   expect(new Set(listed)).toEqual(names);

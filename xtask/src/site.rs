@@ -55,6 +55,8 @@ const INLINE_SOURCE: &str = "inline.js";
 const TO_TEXT: &str = "const { readFileSync, writeFileSync } = require('node:fs'); const [from, to] = \
     process.argv.slice(1); \
     writeFileSync(to, `export const base64 = \"${readFileSync(from).toString('base64')}\";\n`)";
+/// The types of `index.d.ts`, by family.
+const TYPES: &str = "types";
 /// Types of the entry for site plans.
 const SITE_PLAN_TYPES: &str = "siteplan.d.ts";
 /// The folder of the command `parkade`.
@@ -195,15 +197,24 @@ fn write_types(sources: &Path, package: &Path) -> Result<()> {
         let module = package.join(folder).join("node.js");
         let settings = capture(node().arg(root().join("xtask/settings-types.mjs")).arg(module))?;
         fs::write(sources.join(folder).join("settings.d.ts"), settings).context("settings.d.ts")?;
-        for name in ["index", "settings"] {
-            let text = fs::read_to_string(sources.join(folder).join(name).with_extension("d.ts"))?;
-            fs::write(package.join(folder).join(name).with_extension("d.ts"), &text)?;
-            if folder.is_empty() {
-                fs::write(package.join(name).with_extension("d.cts"), text.replace(".js\"", ".cjs\""))?;
-            }
+        for name in ["index.d.ts", "settings.d.ts"] {
+            copy(&sources.join(folder).join(name), &package.join(folder).join(name))?;
         }
     }
+    copy_folder(&sources.join(TYPES), &package.join(TYPES))?;
+    for name in ["index.d.ts", "settings.d.ts"] {
+        write_required(&package.join(name))?;
+    }
+    for file in fs::read_dir(sources.join(TYPES))? {
+        write_required(&package.join(TYPES).join(file?.file_name()))?;
+    }
     Ok(())
+}
+
+/// Writes a file of types for `require` beside the one for `import`.
+fn write_required(types: &Path) -> Result<()> {
+    let text = fs::read_to_string(types).with_context(|| types.display().to_string())?;
+    Ok(fs::write(types.with_extension("cts"), text.replace(".js\"", ".cjs\""))?)
 }
 
 /// Writes the package's manifest: the one beside its sources, with the crate's version.
