@@ -12,6 +12,7 @@ mod mutants;
 mod paper;
 mod parity;
 mod picture;
+mod processor;
 mod python;
 mod serve;
 mod site;

@@ -11,11 +11,12 @@ use serde_json::Value;
 
 use crate::counts::{Counts, judge, libtest_counts, playwright_counts, pytest_counts, vitest_counts};
 use crate::tools::{self, WASM_TARGET, Workspace, cargo, command, node_tool, tee};
-use crate::{browser, docs, python, site};
+use crate::{browser, docs, processor, python, site};
 
 /// Selects this program, in the profile in which it is built anyway.
 const TOOL: &[&str] = &["--package", "xtask", "--profile", "tool"];
-const FUZZ: &[&str] = &["--package", "parkade-fuzz"];
+/// With the library: alone its dependencies have other features, and everything is compiled once more.
+const LIBRARY_AND_FUZZ: &[&str] = &["--package", "parkade", "--package", "parkade-fuzz"];
 
 struct Suite {
     name: &'static str,
@@ -47,9 +48,8 @@ const SUITES: &[Suite] = &[
     suite("page in a browser", Needs::Build, playwright),
     suite("Python", Needs::Build, wheel),
     suite("format", Needs::Sources, || cargo_check(&["fmt", "--all", "--check"])),
-    suite("lint, native", Needs::Sources, || lint(&["--all-targets"])),
+    suite("lint, native", Needs::Sources, || lint(&[LIBRARY_AND_FUZZ, &["--all-targets"]].concat())),
     suite("lint, tool", Needs::Sources, || lint(&[TOOL, &["--all-targets"]].concat())),
-    suite("lint, fuzz", Needs::Sources, || lint(&[FUZZ, &["--all-targets"]].concat())),
     suite("lint, wasm", Needs::Sources, || lint(&["--target", WASM_TARGET, "--lib", "--tests"])),
     suite("lint, core", Needs::Sources, || {
         lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])
@@ -57,10 +57,9 @@ const SUITES: &[Suite] = &[
     suite("lint, wheel", Needs::Sources, || check(python::lint_native())),
     suite("lint, documentation", Needs::Sources, rustdoc),
     suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--test", "all"])),
-    suite("Rust, native", Needs::Sources, || rust_tests(&["--lib", "--tests"])),
+    suite("Rust, native", Needs::Sources, || rust_tests(&[LIBRARY_AND_FUZZ, &["--lib", "--tests"]].concat())),
     suite("Rust, examples of the documentation", Needs::Sources, || rust_tests(&["--doc"])),
     suite("Rust, tool", Needs::Sources, || rust_tests(TOOL)),
-    suite("Rust, random input", Needs::Sources, || rust_tests(FUZZ)),
 ];
 /// Before the file that a run beside another leaves its results in.
 const REPORT: &str = "--report";
@@ -74,6 +73,7 @@ struct Outcome {
     suite: String,
     counts: Counts,
     seconds: f64,
+    processor_seconds: Option<f64>,
     remark: Option<String>,
 }
 
@@ -161,7 +161,7 @@ impl Company {
 
 impl Outcome {
     fn of(suite: &str, run: impl FnOnce() -> Result<Counts>) -> Self {
-        let start = Instant::now();
+        let (start, before) = (Instant::now(), processor::seconds());
         println!("\n=== {suite}");
         let (counts, remark) = match run() {
             Ok(counts) => (counts, None),
@@ -170,7 +170,13 @@ impl Outcome {
         if let Some(remark) = &remark {
             eprintln!("error: {remark}");
         }
-        Self { suite: suite.to_owned(), counts, seconds: start.elapsed().as_secs_f64(), remark }
+        Self {
+            suite: suite.to_owned(),
+            counts,
+            seconds: start.elapsed().as_secs_f64(),
+            processor_seconds: processor::seconds().zip(before).map(|(after, before)| after - before),
+            remark,
+        }
     }
 }
 
@@ -186,7 +192,8 @@ fn conclude(outcomes: &[Outcome]) -> Counts {
         total.skipped += outcome.counts.skipped;
         total.repeated += outcome.counts.repeated;
     }
-    println!("\n{total}");
+    let processors: f64 = outcomes.iter().filter_map(|outcome| outcome.processor_seconds).sum();
+    println!("\n{:.1} minutes of processors\n{total}", processors / 60.0);
     total
 }
 
@@ -267,7 +274,11 @@ fn with_report(command: &mut Command, report: &Path, count: fn(&Value) -> Option
 
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:<36}{:>6.1} s  {}", self.suite, self.seconds, self.counts)?;
+        write!(f, "{:<36}{:>6.1} s  ", self.suite, self.seconds)?;
+        if let Some(seconds) = self.processor_seconds {
+            write!(f, "{seconds:>6.1} s of processors  ")?;
+        }
+        self.counts.fmt(f)?;
         match &self.remark {
             Some(remark) => write!(f, " ({remark})"),
             None => Ok(()),
