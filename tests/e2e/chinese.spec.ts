@@ -1,21 +1,10 @@
 import { expect, test } from "@playwright/test";
-import { NAMES, english, expectChinese, set, textsOf, type Inside } from "./chinese";
+import { NAMES, english, expectChinese, keepDrawn, set, textsOf, type Inside } from "./chinese";
 import { answered, open, sceneOf, settled, type PlaygroundElement } from "./playground";
 
 test.use({ locale: "zh-CN" });
 
-/** What is drawn into the maps and charts is kept, too. */
-test.beforeEach(async ({ page }) => {
-  await page.addInitScript(() => {
-    const drawn = new Set<string>(),
-      { fillText } = CanvasRenderingContext2D.prototype;
-    CanvasRenderingContext2D.prototype.fillText = function (text: string, ...at: [number, number]) {
-      drawn.add(text);
-      fillText.call(this, text, ...at);
-    };
-    Object.assign(window, { drawn });
-  });
-});
+test.beforeEach(({ page }) => keepDrawn(page));
 
 test("the Chinese page is Chinese: tools, layouts, layers, settings and menus", async ({ page }) => {
   test.setTimeout(120_000);

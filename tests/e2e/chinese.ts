@@ -19,6 +19,15 @@ export const NAMES = new RegExp(
     "SVG",
     "CSV",
     "DXF",
+    "TEXT",
+    "GIF",
+    "WebM",
+    "MP4",
+    "px",
+    "AASHTO",
+    "Pkw",
+    "Design Bulletin",
+    "SUV",
     "JSON",
     "MovingAI",
     "ROS",
@@ -31,6 +40,7 @@ export const NAMES = new RegExp(
     "NBA",
     "Reeds",
     "Shepp",
+    "Posthoc",
     "Dubins",
     "Dijkstra",
     "RRT",
@@ -90,6 +100,19 @@ export const NAMES = new RegExp(
 
 /** Papers as they are cited: their authors and the year. */
 const CITED = /(?:[A-Z][A-Za-z]+, )*[A-Z][A-Za-z]+(?: 等)? \d{4}/g;
+
+/** Keeps what is drawn into maps and charts of pages opened from now on. */
+export function keepDrawn(page: Page): Promise<unknown> {
+  return page.addInitScript(() => {
+    const drawn = new Set<string>(),
+      { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text: string, ...at: [number, number]) {
+      drawn.add(text);
+      fillText.call(this, text, ...at);
+    };
+    Object.assign(window, { drawn });
+  });
+}
 
 /**
  * Every visible text and every name for those who cannot see it, shadow trees included, and every text drawn since the

@@ -20,7 +20,7 @@ import { chineseReasons } from "../../www/src/i18n/reasons-zh";
 import catalogue from "../../www/src/i18n/reasons-zh.json";
 import { decodeHistory, encodeHistory } from "../../www/src/app/history";
 import { pack, unpack } from "../../www/src/scene/link-codec";
-import { sceneFromText } from "../../www/src/scene/files";
+import { checkScene } from "../../www/src/scene/files";
 import { checkedScene } from "../../www/src/scene/foreign";
 import {
   anyFreeSlot,
@@ -222,7 +222,7 @@ describe("sets of goals on the page", () => {
     for (const goal of sets) {
       const scene = page(goal);
       expect((await decodeScene(await encodeScene(scene))).goal, JSON.stringify(goal)).toEqual(goal);
-      expect(sceneFromText(JSON.stringify(scene)).goal).toEqual(goal);
+      expect(checkScene(JSON.parse(JSON.stringify(scene))).goal).toEqual(goal);
       const kept = encodeHistory({ past: [page({ x: 20, y: 9, heading: 0 })], scene, future: [scene] }, "#")!;
       expect(
         decodeHistory(kept, (one) => checkedScene(one, { sceneGeometry, packRuns, unpackRuns })).scene.goal,

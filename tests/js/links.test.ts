@@ -2,6 +2,7 @@ import { afterEach, expect, it, vi } from "vitest";
 import { init, scenario } from "parkade";
 import { LinkSync } from "../../www/src/app/link-sync";
 import { encodeScene } from "../../www/src/scene/link";
+import { messageOf } from "../../www/src/i18n/said";
 import { ensureIds } from "../../www/src/scene/model";
 import { createStore } from "../../www/src/store";
 
@@ -54,7 +55,7 @@ it("of two links that come at once only the last one is opened, however long the
   const sync = new LinkSync(
     createStore({}),
     async ({ name }) => void opened.push(name),
-    (reason) => refused.push(reason),
+    (error) => refused.push(messageOf(error)),
   );
   sync.start();
   const boxes = Array.from({ length: 1500 }, (_, i) => ({

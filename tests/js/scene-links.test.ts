@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { fitsLink, forPlanners, withoutCells } from "../../www/src/scene/large-scene";
 import { capsuleRuns, countCells, subtractRuns, unionRuns, type Run } from "../../www/src/scene/cells";
-import { sceneFromText, sceneToFile } from "../../www/src/scene/files";
+import { checkScene, sceneToFile } from "../../www/src/scene/files";
 import { decodeScene, encodeScene } from "../../www/src/scene/link";
 import * as model from "../../www/src/scene/model";
 import { brushCells } from "../../www/src/scene/brushing";
@@ -44,13 +44,13 @@ describe("links", () => {
 
 describe("files", () => {
   it("come back as they were", async () => {
-    expect(sceneFromText(await sceneToFile(scene).text())).toEqual(scene);
+    expect(checkScene(JSON.parse(await sceneToFile(scene).text()))).toEqual(scene);
   });
 
   it("that are no scene are refused in words", () => {
-    expect(() => sceneFromText("nonsense")).toThrow("not JSON");
-    expect(() => sceneFromText('{"version":1}')).toThrow("no map");
-    expect(() => sceneFromText(readFileSync("package.json", "utf8"))).toThrow("version");
+    expect(() => checkScene("nonsense")).toThrow("an object is expected");
+    expect(() => checkScene({ version: 1 })).toThrow("no map");
+    expect(() => checkScene(JSON.parse(readFileSync("package.json", "utf8")))).toThrow("version");
   });
 });
 

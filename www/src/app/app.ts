@@ -52,7 +52,7 @@ export class App {
   readonly links = new LinkSync(
     this.store,
     (scene, view) => this.openLink(scene, view),
-    (reason) => this.refuse("error.link", { reason }),
+    (error) => this.refuse("error.link", { reason: refusal(error) }),
   );
   catalog: Catalog | null = null;
   planning: Planning | null = null;

@@ -34,7 +34,7 @@ export class LinkSync {
   constructor(
     private readonly store: Store,
     private readonly open: (scene: Scene, view: LinkView | null) => Promise<void>,
-    private readonly refuse: (reason: string) => void,
+    private readonly refuse: (error: unknown) => void,
   ) {}
 
   start(): void {
@@ -114,7 +114,7 @@ export class LinkSync {
       // Another one may have come meanwhile.
       if (scene && turn === this.turn) await this.open(scene, view);
     } catch (error) {
-      if (turn === this.turn) this.refuse(error instanceof Error ? error.message : String(error));
+      if (turn === this.turn) this.refuse(error);
     }
   }
 }

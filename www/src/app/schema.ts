@@ -34,18 +34,14 @@ export class ValueError extends RangeError {
   readonly field: string;
   readonly value: unknown;
   readonly rule: string;
-  private readonly fault: Fault;
+  readonly sentence: (lang: Lang) => string;
 
   constructor(fault: Fault) {
     super(sentenceOf("en", fault));
     this.field = fault.field;
     this.value = fault.value;
     this.rule = ruleOf("en", fault);
-    this.fault = fault;
-  }
-
-  sentence(lang: Lang): string {
-    return sentenceOf(lang, this.fault);
+    this.sentence = (lang) => sentenceOf(lang, fault);
   }
 }
 

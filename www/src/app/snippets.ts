@@ -2,6 +2,7 @@
 import "../i18n/later";
 import { forPlanners } from "../scene/large-scene";
 import { refusal, type App } from "./app";
+import { sceneTitle } from "./scene-title";
 
 export type SnippetKind = "embed" | "markdown" | "test";
 
@@ -26,12 +27,12 @@ const asAttribute = (text: string): string =>
 const asScript = (value: unknown): string => JSON.stringify(value).replaceAll("<", "\\u003c");
 
 async function embedSnippet(app: App): Promise<string> {
-  const { planners, mode, scene } = app.store.state;
+  const { planners, mode } = app.store.state;
   const root = new URL(".", location.href.split("#")[0]).href;
   return (
     `<script type="module" src="${asAttribute(root)}parkade-playground.js"></script>
 <parkade-playground ` +
-    `planners="${planners.join(" ")}" layout="${mode}" controls="minimal" alt="${asAttribute(scene.name ?? "")}">
+    `planners="${planners.join(" ")}" layout="${mode}" controls="minimal" alt="${asAttribute(sceneTitle(app))}">
 <script type="application/json" slot="scene">${asScript(await sceneOf(app))}</script>
 </parkade-playground>
 `
@@ -41,7 +42,7 @@ async function embedSnippet(app: App): Promise<string> {
 async function markdownLink(app: App): Promise<string> {
   const href = await app.links.address(true);
   if (!href) throw new Error(app.t("error.longLink"));
-  return `[${(app.store.state.scene.name || "Parkade").replace(/[\\[\]]/g, "\\$&")}](${href})`;
+  return `[${(sceneTitle(app) || "Parkade").replace(/[\\[\]]/g, "\\$&")}](${href})`;
 }
 
 /** Holds the focused planner's own answer by its hash. */

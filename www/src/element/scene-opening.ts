@@ -137,14 +137,15 @@ export abstract class SceneOpening extends Playground {
 }
 
 async function fetched(src: string): Promise<Scene> {
-  const refuse = (why: string): ValueError => new ValueError({ field: "src", value: src, rule: "address", why });
+  const refuse = (why: string, rule: "address" | "answered" = "address"): ValueError =>
+    new ValueError({ field: "src", value: src, rule, why });
   let answer: Response;
   try {
     answer = await fetch(new URL(src, document.baseURI));
   } catch (error) {
     throw refuse(messageOf(error));
   }
-  if (!answer.ok) throw refuse(`the server answered ${answer.status}`);
+  if (!answer.ok) throw refuse(String(answer.status), "answered");
   try {
     return await answer.json();
   } catch (error) {

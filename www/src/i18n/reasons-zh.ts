@@ -70,7 +70,8 @@ export function chineseReasons({ reasons, values }: Catalogue): (reason: string 
   const shownOf = (value: string): string => valueOf(value.replace(/^(["[{].{99}).+/s, "$1…"));
   return (reason) => {
     if (typeof reason === "string") return textOf(reason);
-    const { path, template, values: given = [], message } = reason;
+    const { path, template, values: given = [], message, sentence } = reason;
+    if (sentence) return `${sentence("zh")}。`;
     if (!template?.replaceAll("{}", "").trim()) return textOf(message);
     const rule = ruleOf(template).replace(/⟨(\d+)⟩/g, (_, at: string) => shownOf(given[Number(at)] ?? ""));
     return path ? `${path.replaceAll(" and ", "、")}：${rule}` : rule;

@@ -4,6 +4,8 @@ export interface Said {
   path?: string;
   template?: string;
   values?: readonly string[];
+  /** What says it in a language, where no catalogue of rules does. */
+  sentence?: (lang: "en" | "zh") => string;
 }
 
 /** The words of whatever was thrown. */

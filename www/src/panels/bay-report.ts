@@ -21,11 +21,12 @@ import { BAY_COLUMNS, bayLines } from "./bay-rows";
 import { heading, say as sayBays } from "./bay-words";
 import { say, today, vehicleText } from "./sheet-words";
 import { lastIn, nth } from "../scene/nth";
+import { sceneTitle } from "../app/scene-title";
 
-export function saveReport({ store }: App): void {
-  const { bays, scene, lang } = store.state;
+export function saveReport(app: App): void {
+  const { bays, scene, lang } = app.store.state;
   if (!bays) return;
-  const page = reportPage(scene, bays, lang);
+  const page = reportPage(scene, bays, lang, sceneTitle(app));
   download(new Blob([page], { type: "text/html" }), `${fileName(scene)}-bays.html`);
 }
 
@@ -33,11 +34,11 @@ export function saveReport({ store }: App): void {
  * The largest usual scale at which the lot fits on A4, otherwise on the paper that it needs. Where no paper is large
  * enough, a sentence says so, and the table stands alone.
  */
-export function reportPage(scene: Scene, check: BayCheck, lang: Lang): string {
+export function reportPage(scene: Scene, check: BayCheck, lang: Lang, name = scene.name): string {
   const drawing = siteDrawing(scene, null, { every: 0 }),
     box = boxOfDrawing(drawing),
     scale = SCALES.find((one) => paperFor(box, one) === "A4") ?? SCALES.find((one) => paperFor(box, one)),
-    title = scene.name || sayBays(lang, "title"),
+    title = name || sayBays(lang, "title"),
     language = lang === "zh" ? "zh-CN" : "en";
   if (scale === undefined) {
     const note = say(lang, "tooLarge", { scale: lastIn(SCALES) });

@@ -15,6 +15,7 @@ import { say, today, vehicleText } from "./sheet-words";
 import { wayCsv } from "./way-csv";
 import { besideOf } from "./beside";
 import { reasonIn } from "../i18n/index";
+import { sceneTitle } from "../app/scene-title";
 
 type Format = "svg" | "print" | "dxf" | "csv";
 
@@ -135,7 +136,7 @@ export class SheetDialog extends DialogElement {
         shown: this.chosen,
         areas: [],
         scale: this.scale,
-        title: scene.name || say(lang, "scene"),
+        title: sceneTitle(this.app) || say(lang, "scene"),
         rows: [
           [say(lang, "scale"), `1:${this.scale}`],
           [say(lang, "vehicle"), vehicleText(lang, scene.vehicle)],
@@ -163,7 +164,9 @@ export class SheetDialog extends DialogElement {
       download(new Blob([made.svg], { type: "image/svg+xml" }), `${name}-1-${this.scale}.svg`);
     else if ("svg" in made)
       download(
-        new Blob([printPage(scene.name || name, lang === "zh" ? "zh-CN" : "en", made, "")], { type: "text/html" }),
+        new Blob([printPage(sceneTitle(this.app) || name, lang === "zh" ? "zh-CN" : "en", made, "")], {
+          type: "text/html",
+        }),
         `${name}-1-${this.scale}.html`,
       );
   }

@@ -12,6 +12,7 @@ import { icon, logo, type IconName } from "../styles/icons";
 import { Menus } from "./popover-controller";
 import { nth } from "../scene/nth";
 import type { On } from "./inputs";
+import { sceneTitle } from "../app/scene-title";
 
 const MODES: readonly { id: State["mode"]; icon: IconName }[] = [
   { id: "grid", icon: "grid" },
@@ -194,7 +195,7 @@ export class Toolbar extends AppElement {
   }
 
   private scenePicker(): TemplateResult {
-    const title = sceneTitle(this.app.preset, this.app.catalog?.scenarios ?? [], this.state);
+    const title = sceneTitle(this.app);
     return html`<button class="button outline scene" aria-label="${this.t("bar.scene")}: ${title || this.t("bar.own")}"
       ?disabled=${!this.ready} @click=${() => this.app.ask("presets")}>
       <span>${title || this.t("bar.own")}</span>${icon("down", 14)}</button>`;
@@ -305,19 +306,5 @@ export class Toolbar extends AppElement {
 
 const keysOf = (...ids: CommandId[]): string =>
   ids.map((id) => (commands[id]?.keys ?? []).map(shownChord).join(" / ")).join(" ");
-
-/**
- * The scene's title in the page's language, also of a changed preset that came by a link; empty for a drawing without a
- * name.
- */
-export function sceneTitle(
-  preset: string | null,
-  infos: readonly { id: string; title: { en: string; zh: string } }[],
-  state: State,
-): string {
-  const name = preset ?? state.scene.name,
-    info = infos.find((one) => one.id === name);
-  return info ? info.title[state.lang] : (state.scene.name ?? "");
-}
 
 customElements.define("parkade-toolbar", Toolbar);

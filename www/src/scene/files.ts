@@ -17,20 +17,10 @@ export function fileName(scene: Scenario): string {
   return name || "parkade-scene";
 }
 
-/** A scene from a file's text. Only its outline is checked here; the planners check every field. */
-export function sceneFromText(text: string): Scenario {
-  let value: unknown;
-  try {
-    value = JSON.parse(text);
-  } catch {
-    throw new Error("This is not a scene: the file is not JSON.");
-  }
-  return checkScene(value);
-}
-
+/** Only the outline of a scene is checked here; the planners check every field. */
 export function checkScene(value: unknown): Scenario {
-  if (!isRecord(value)) throw new Error("This is not a scene: an object is expected.");
-  if (value["version"] !== 1) throw new Error("This scene has a version this page does not read; 1 is expected.");
+  if (!isRecord(value)) throw refused(rule`This is not a scene: an object is expected.`);
+  if (value["version"] !== 1) throw refused(rule`This scene has a version this page does not read; 1 is expected.`);
   const map = value["map"];
   if (
     !isRecord(map) ||
@@ -39,16 +29,16 @@ export function checkScene(value: unknown): Scenario {
     !isNumber(map["height"]) ||
     !isNumber(map["resolution"])
   ) {
-    throw new Error("This scene has no map: origin, width, height and resolution are expected.");
+    throw refused(rule`This scene has no map: origin, width, height and resolution are expected.`);
   }
-  if (!isPose(value["start"])) throw new Error("This scene has no start pose: x, y and heading are expected.");
+  if (!isPose(value["start"])) throw refused(rule`This scene has no start pose: x, y and heading are expected.`);
   const goal = value["goal"];
   if (
     !isPose(goal) &&
     !Array.isArray(goal) &&
     !(isRecord(goal) && ["slot", "slots", "region"].some((key) => key in goal))
   ) {
-    throw new Error("This scene has no goal: a pose, a slot, or a set of them is expected.");
+    throw refused(rule`This scene has no goal: a pose, a slot, or a set of them is expected.`);
   }
   for (const key of ["obstacles", "slots", "costs"]) {
     if (value[key] !== undefined && !Array.isArray(value[key]))
