@@ -211,16 +211,13 @@ impl Asker {
         let exit =
             entrance.exit.map_or_else(|| turned(start, &vehicle.vehicle), |exit| along(exit, self.ahead));
         let out = out.then(|| ask(&mut self.way_out, goal, exit));
-        let excess = |body: f64, room: f64| ((body - room) / 2.0).max(0.0);
-        let overhang =
-            excess(vehicle.vehicle.length(), slot.length).max(excess(vehicle.vehicle.width, slot.width));
         Row {
             bay: bay_name(&slot, bay),
             index: bay,
             vehicle: vehicle.id.clone(),
             entrance: entrance.id.clone(),
             entry,
-            overhang,
+            overhang: slot.overhang(&vehicle.vehicle),
             way,
             out,
         }

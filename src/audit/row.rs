@@ -29,7 +29,7 @@ pub struct Row {
     pub entrance: String,
     /// Which way the nose points in the bay.
     pub entry: Entry,
-    /// How far the parked body sticks out of the bay, metres; 0 where it fits.
+    /// How far the parked body sticks out of the bay, metres along its lines or across them; 0 where it fits.
     pub overhang: f64,
     /// The way in.
     #[serde(flatten)]

@@ -119,6 +119,17 @@ impl Slot {
         [mouth + half, mouth - half, mouth - half + side, mouth + half + side]
     }
 
+    /// How far `vehicle`, centred in the slot, sticks out of it at either end or side: metres along the lines or across
+    /// them, the larger. The ends of an angled slot run askew to the body, which therefore needs longer lines.
+    pub fn overhang(&self, vehicle: &Vehicle) -> f64 {
+        let skew = match self.kind {
+            SlotKind::Angled => vehicle.width / math::tan(self.angle.unwrap_or(FRAC_PI_4)),
+            SlotKind::Perpendicular | SlotKind::Parallel => 0.0,
+        };
+        let excess = |body: f64, room: f64| ((body - room) / 2.0).max(0.0);
+        excess(vehicle.length() + skew, self.length).max(excess(vehicle.width, self.width))
+    }
+
     /// The pose of `vehicle` centred in the slot.
     /// The body's middle is the slot's middle; the pose is the rear axle's, so it depends on the vehicle and on the
     /// entry. Whether the body fits is not asked.
@@ -193,6 +204,25 @@ mod tests {
         let pose = slot(SlotKind::Perpendicular).pose(Entry::ReverseIn, &Vehicle::PAPER);
         assert!((pose.heading - FRAC_PI_2).abs() < 1e-12);
         assert!((pose.y - (2.5 - 1.75)).abs() < 1e-12);
+    }
+
+    /// Against the corners of the body: none is in front of the mouth where nothing sticks out, and one is on it where
+    /// the lines are just long enough.
+    #[test]
+    fn what_sticks_out_of_an_angled_slot_is_measured_along_its_lines() {
+        let car = Vehicle::SEDAN;
+        let ahead = |slot: &Slot| {
+            let corners = car.outline(slot.pose(Entry::HeadIn, &car));
+            corners.into_iter().map(|corner| corner.y - slot.y).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let long_enough = car.length() + car.width / math::tan(1.0);
+        for (length, overhang) in [(long_enough, 0.0), (long_enough + 0.4, 0.0), (long_enough - 0.4, 0.2)] {
+            let slot = Slot { length, angle: Some(1.0), ..slot(SlotKind::Angled) };
+            assert!((slot.overhang(&car) - overhang).abs() < 1e-12, "{length}");
+            let sine = math::sin_cos(1.0).0;
+            assert!((ahead(&slot) - (long_enough - length) / 2.0 * sine).abs() < 1e-9, "{length}");
+        }
+        assert!((slot(SlotKind::Perpendicular).overhang(&car) - (car.length() - 5.0).max(0.0) / 2.0).abs() < 1e-12);
     }
 
     #[test]

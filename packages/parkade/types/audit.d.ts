@@ -90,7 +90,7 @@ export interface AuditRow extends AuditWay {
   vehicle: string;
   entrance: string;
   entry: "head-in" | "reverse-in";
-  /** How far the parked body sticks out of the bay; 0 where it fits. */
+  /** How far the parked body sticks out of the bay, along its lines or across them; 0 where it fits. */
   overhang: number;
   /** Null where `out` is false. */
   out: AuditWay | null;
@@ -141,6 +141,7 @@ export interface LotOptions {
   bays?: number;
   /** Between aisle and bay: 0.5 to π/2. */
   angle?: number;
+  /** The rectangle that a bay holds; the lines beside an angled bay are longer. */
   bayWidth?: number;
   bayLength?: number;
   /** Width of the aisles. */

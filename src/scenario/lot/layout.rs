@@ -28,9 +28,9 @@ pub struct Lot {
     pub bays: u32,
     /// Angle between aisle and bay: π/6 to π/2.
     pub angle: f64,
-    /// Clear width of a bay.
+    /// Width of the rectangle that a bay holds.
     pub bay_width: f64,
-    /// Length of a bay.
+    /// Its length; the lines beside an angled bay are longer.
     pub bay_length: f64,
     /// Width of the aisles.
     pub aisle: f64,

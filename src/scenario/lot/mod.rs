@@ -207,7 +207,9 @@ mod tests {
     use super::layout::CAR;
     use super::plan::letters;
     use super::*;
+    use crate::geometry::Point;
     use crate::geometry::polygon::contains;
+    use crate::scenario::Entry;
 
     #[test]
     fn every_preset_has_its_bays_and_entrances_on_the_floor() {
@@ -246,6 +248,21 @@ mod tests {
             }
             let occupied = scene.slots.iter().filter(|slot| slot.occupied).count();
             assert!((occupied as f64 - lot.occupancy * scene.slots.len() as f64).abs() <= 0.5, "seed {seed}");
+        }
+    }
+
+    /// Cars that stand aslant had their corners in the aisle, which was 1.2 m narrower than asked for.
+    #[test]
+    fn parked_cars_leave_the_aisles_free() {
+        for seed in 0..40 {
+            let lot = Lot { occupancy: 1.0, ..Lot::drawn(seed) };
+            for slot in lot.draw().unwrap().scene.slots {
+                let inward = Pose::new(0.0, 0.0, slot.heading).direction();
+                for corner in CAR.outline(slot.pose(Entry::ReverseIn, &CAR)) {
+                    let depth = (corner - Point::new(slot.x, slot.y)).dot(&inward);
+                    assert!(depth >= 0.0 && depth <= slot.length, "seed {seed}, {:?}: {depth} m", slot.id);
+                }
+            }
         }
     }
 

@@ -1,13 +1,15 @@
 //! Where everything of a lot stands.
 //!
-//! A bay of width w and length ℓ at the angle α to the aisle takes w / sin α of the aisle's length, and its row is
+//! A bay holds a rectangle of width w and length ℓ. At the angle α to the aisle it takes w / sin α of the aisle's
+//! length, the lines beside it are
 //!
 //! ```text
-//! ℓ · sin α + w · cos α
+//! ℓ + w / tan α
 //! ```
 //!
-//! deep. Everything else follows from these two: the rows stand at multiples of the depth, aisles and kerbs between
-//! them, and the floor is as long as the longest row with a lane across either end. The kerb between two rows is an
+//! long, and its row is as deep as they are times sin α: no corner of the rectangle is in the aisle. Everything else
+//! follows from these: the rows stand at multiples of the depth, aisles and kerbs between them, and the floor is as
+//! long as the longest row with a lane across either end. The kerb between two rows is an
 //! obstacle, columns stand on the lines between bays, set back from the aisle.
 
 use super::layout::{CAR, Lot};
@@ -31,8 +33,9 @@ const CROSS: f64 = 6.0;
 /// Where everything of a lot stands.
 pub(super) struct Plan<'a> {
     lot: &'a Lot,
-    /// Length of a bay's mouth along the aisle, and depth of a row.
+    /// Length of a bay's mouth along the aisle, of the lines beside it, and depth of a row.
     opening: f64,
+    side: f64,
     depth: f64,
     /// Width of the lanes across the aisles' ends.
     cross: f64,
@@ -46,15 +49,16 @@ impl<'a> Plan<'a> {
     pub(super) fn new(lot: &'a Lot) -> Self {
         let (sin, cos) = math::sin_cos(lot.angle);
         let opening = lot.bay_width / sin;
-        let depth = lot.bay_length * sin + lot.bay_width * cos;
+        let side = lot.bay_length + lot.bay_width * cos / sin;
+        let depth = side * sin;
         let cross = CROSS.max(lot.aisle);
         let columns = lot.bays.checked_div(lot.columns).unwrap_or(0);
-        let skew = lot.bay_length * cos;
+        let skew = side * cos;
         let length = f64::from(lot.bays) * opening + f64::from(columns) * COLUMN + skew;
         let aisles = f64::from(lot.rows.div_ceil(2));
         let kerbs = f64::from(lot.rows.div_ceil(2) - 1) * KERB;
         let height = aisles * lot.aisle + f64::from(lot.rows) * depth + kerbs;
-        Self { lot, opening, depth, cross, width: length + 2.0 * cross, height }
+        Self { lot, opening, side, depth, cross, width: length + 2.0 * cross, height }
     }
 
     /// The lower edge of an aisle.
@@ -124,7 +128,7 @@ impl<'a> Plan<'a> {
                 y: mouth,
                 heading: inward * math::FRAC_PI_2,
                 width: lot.bay_width,
-                length: lot.bay_length,
+                length: self.side,
                 angle: is_angled.then_some(lot.angle),
                 lean: is_angled.then_some(if is_north { Lean::Right } else { Lean::Left }),
                 occupied: false,
@@ -133,7 +137,7 @@ impl<'a> Plan<'a> {
         }
         let back = mouth + inward * (self.depth + KERB / 2.0);
         if is_north && back < self.height {
-            let end = x + lot.bay_length * math::sin_cos(lot.angle).1;
+            let end = x + self.side * math::sin_cos(lot.angle).1;
             scene.obstacles.push(Obstacle::Rectangle {
                 id: Some(format!("kerb-{}", row.div_ceil(2))),
                 center: [f64::midpoint(self.cross, end), back],
