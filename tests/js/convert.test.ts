@@ -52,6 +52,15 @@ test("site plans of each format are scenes, by what their layers are called or s
     expect([name, status, err.includes("internal")]).toEqual([name, 0, false]);
     expect((JSON.parse(out) as { slots: unknown[] }).slots).toHaveLength(10);
   }
+  expect(run(["convert", "lot.dxf"]).err.match(/Left out/g)).toHaveLength(1);
+  // Drawn in metres by a program that says millimetres: the unit is the one that the page proposes.
+  const metres = FILES["lot.dxf"]!.replace(
+    /^( *[12][01]\n)(.+)$/gm,
+    (_, code: string, n: string) => code + Number(n) / 1000,
+  );
+  writeFileSync(join(folder, "metres.dxf"), metres);
+  const { slots } = JSON.parse(run(["convert", "metres.dxf"]).out) as { slots: { width: number }[] };
+  expect(slots.map(({ width }) => width)).toEqual(Array.from({ length: 10 }, () => 2.5));
   const [geojson] = Object.keys(FILES).filter((name) => name.endsWith(".geojson"));
   expect(run(["check", geojson!]).out).toMatch(/^ok: .* 10 slots/);
   expect(run(["convert", geojson!, "--role", "nothing=wall"]).err).toMatch(

@@ -91,6 +91,12 @@ describe("a lot", () => {
     expect([held.scene.slots!.length, held.notes]).toEqual([1, ["Bays elsewhere, which are left out: 3"]]);
     const alone = converted({ ...bays, layers: bays.layers.slice(1) });
     expect([alone.scene.slots!.length, alone.notes]).toEqual([3, ["Bays elsewhere, which are left out: 1"]]);
+    // Bays in no outline of the ground are not given up for a larger outline.
+    const outside: SitePlan = {
+      ...bays,
+      layers: [plan.layers[0]!, { name: "amenity=parking_space", lines: lines.slice(1) }],
+    };
+    expect(converted(outside).scene.slots!.length).toBe(3);
     // Inches, in a file that says millimetres.
     expect(suggestedUnit({ ...plan, layers: [{ name: "0", lines: [square(0, 900)] }], metresPerUnit: 0.001 })).toBe(
       0.0254,
@@ -133,6 +139,38 @@ const drawn = (layer: string, lines: readonly (readonly [number, number])[][], c
 describe("bays", () => {
   const slotsOf = (plan: SitePlan): Slot[] =>
     sceneFromSitePlan(plan, { roles: { bays: "bay" }, metresPerUnit: 1 }).scene.slots!;
+
+  it("that end aslant are as long as their shorter side, squared at the other end", () => {
+    const outlines = drawn(
+      "bays",
+      [
+        [
+          [0, 0],
+          [2.6, 0],
+          [2.6, 9.9],
+          [0, 7.2],
+        ],
+        [
+          [2.6, 0],
+          [5.2, 0],
+          [5.2, 7.2],
+          [2.6, 7.2],
+        ],
+        [
+          [9, 0],
+          [11.6, 0],
+          [11.6, 9.9],
+          [9, 3],
+        ],
+      ],
+      true,
+    );
+    const slots = slotsOf(outlines);
+    expect(slots.map(({ width, length }) => [width.toFixed(2), length.toFixed(2)])).toEqual([
+      ["2.60", "7.20"],
+      ["2.60", "7.20"],
+    ]);
+  });
 
   it("are found between painted lines, open where nothing is painted", () => {
     const comb = [

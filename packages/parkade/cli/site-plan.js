@@ -25,10 +25,10 @@ export async function sitePlan(place, { role = [], unit } = {}) {
       names = plan.layers.map(({ name }) => name);
     const { scene, notes } = sceneFromSitePlan(plan, {
       roles: { ...Object.fromEntries(names.map((name) => [name, suggestedRole(name)])), ...rolesOf(role, names) },
-      metresPerUnit: unit ?? plan.metresPerUnit ?? suggestedUnit(plan),
+      metresPerUnit: unit ?? suggestedUnit(plan),
       name: basename(place),
     });
-    for (const note of [...plan.notes, ...notes]) process.stderr.write(`parkade: ${place}: ${note}\n`);
+    for (const note of notes) process.stderr.write(`parkade: ${place}: ${note}\n`);
     return scene;
   } catch (error) {
     if (/** @type {{ code?: string }} */ (error).code !== "bad-import") throw error;

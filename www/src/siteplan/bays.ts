@@ -39,8 +39,11 @@ export function findBays(given: readonly SitePlanLine[]): FoundBays {
   for (const { points, closed } of lines) {
     const corners = straightened(points, REACH, closed);
     if (!closed) for (let i = 1; i < corners.length; i++) open.push([nth(corners, i - 1), nth(corners, i)]);
-    else if (isQuad(corners) && isBay(corners)) quads.push(corners);
-    else others++;
+    else {
+      const quad = isQuad(corners) ? withoutTaper(corners) : null;
+      if (quad && isBay(quad)) quads.push(quad);
+      else others++;
+    }
   }
   if (open.length > MOST_LINES)
     throw new SitePlanError(
@@ -53,6 +56,38 @@ export function findBays(given: readonly SitePlanLine[]): FoundBays {
 }
 
 const isQuad = (corners: Point[]): corners is Quad => corners.length === 4;
+
+/** Parallel sides may be off by so much, as a sine. */
+const PARALLEL = 0.05;
+
+/**
+ * The last bay of a row often ends aslant: of a quadrilateral with two parallel sides, the longer one is cut to the
+ * shorter, and the end that is nearer to square stays. Null where the sides are too different.
+ */
+function withoutTaper([a, b, c, d]: Quad): Quad | null {
+  const isAlong = sineBetween(a, b, d, c) < PARALLEL,
+    isAcross = sineBetween(b, c, a, d) < PARALLEL;
+  if (isAlong === isAcross) return [a, b, c, d];
+  if (isAcross) return withoutTaper([b, c, d, a]);
+  const sides = [distance(a, b), distance(d, c)] as const,
+    length = Math.min(...sides);
+  if (length < Math.max(...sides) / 2) return null;
+  const isStartSquarer = Math.abs(cosineBetween(a, b, a, d)) <= Math.abs(cosineBetween(a, b, b, c));
+  return isStartSquarer
+    ? [a, alongTo(a, b, length), alongTo(d, c, length), d]
+    : [alongTo(b, a, length), b, c, alongTo(c, d, length)];
+}
+
+function alongTo(a: Point, b: Point, length: number): Point {
+  const part = length / distance(a, b);
+  return [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part];
+}
+
+const sineBetween = (a: Point, b: Point, c: Point, d: Point): number =>
+  Math.abs((b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0])) / (distance(a, b) * distance(c, d));
+
+const cosineBetween = (a: Point, b: Point, c: Point, d: Point): number =>
+  ((b[0] - a[0]) * (d[0] - c[0]) + (b[1] - a[1]) * (d[1] - c[1])) / (distance(a, b) * distance(c, d));
 
 /** A parallelogram of a bay's size. */
 function isBay([a, b, c, d]: Quad): boolean {

@@ -199,7 +199,7 @@ function put(
 
 const rounded = ([x, y]: Point): Point => [Math.round(x * 1000) / 1000, Math.round(y * 1000) / 1000];
 
-/** The closed outline with the most bays, the largest of several. */
+/** The closed outline with the most bays, the largest of several; null where all bays are elsewhere. */
 function groundOf(lines: readonly SitePlanLine[], bays: readonly Quad[]): Point[] | null {
   const area = (points: readonly Point[]): number =>
     Math.abs(
@@ -216,7 +216,8 @@ function groundOf(lines: readonly SitePlanLine[], bays: readonly Quad[]): Point[
   const held = new Map(
     closed.map((points) => [points, bays.filter(([corner]) => insidePolygon(corner, points)).length]),
   );
-  return closed.sort((a, b) => held.get(b)! - held.get(a)! || area(b) - area(a))[0] ?? null;
+  const best = closed.sort((a, b) => held.get(b)! - held.get(a)! || area(b) - area(a))[0];
+  return best && (bays.length === 0 || held.get(best)! > 0) ? best : null;
 }
 
 /** Places before bays where nothing is drawn, so that cars have an aisle. */
