@@ -1,14 +1,15 @@
-import type { Role, SitePlan, SitePlanScene } from "parkade/siteplan";
+import type { Role, SitePlanScene } from "parkade/siteplan";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { refusal, sentence } from "../app/app";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/site-plan.json";
 import { words } from "../i18n/words";
-import { boxOf, distance, type Point } from "../scene/geometry";
+import { distance, type Point } from "../scene/geometry";
 import { ensureIds } from "../scene/model";
 import type { Scene } from "../store";
 import type { SitePlanReader } from "../planning/site-plan-reader";
-import { ROLES, suggestedRole, suggestedUnit, widthOf } from "../siteplan/site-plan-scene";
+import type { PlanOutline } from "../siteplan/plan-outline";
+import { ROLES, suggestedRole } from "../siteplan/site-plan-scene";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { vast } from "../view/lazy-large-maps";
@@ -61,7 +62,7 @@ export class SitePlanDialog extends DialogElement {
     li span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
     small { color: var(--parkade-t3); font-size: 12px; }
     select {
-      height: 28px; padding: 0 6px; max-width: 150px; color: var(--parkade-t1); background: var(--parkade-panel);
+      height: 28px; padding: 0 6px; max-width: 176px; color: var(--parkade-t1); background: var(--parkade-panel);
       border: 1px solid var(--parkade-hair2); border-radius: calc(6px * var(--parkade-radius));
     }
     label { display: flex; align-items: center; justify-content: space-between; gap: 8px; color: var(--parkade-t2); }
@@ -83,7 +84,7 @@ export class SitePlanDialog extends DialogElement {
     }
   `,
   ];
-  declare plan: SitePlan | null;
+  declare plan: PlanOutline | null;
   declare roles: Record<string, Role>;
   declare unit: number;
   declare around: number;
@@ -111,13 +112,13 @@ export class SitePlanDialog extends DialogElement {
   }
 
   /** The dialog closes the reader. */
-  ask(plan: SitePlan, reader: SitePlanReader, name: string): void {
+  ask(plan: PlanOutline, reader: SitePlanReader, name: string): void {
     this.plan = plan;
     this.reader = reader;
     this.made = null;
     this.name = name;
     this.roles = Object.fromEntries(plan.layers.map((layer) => [layer.name, suggestedRole(layer.name)]));
-    this.unit = suggestedUnit(plan);
+    this.unit = plan.suggestedUnit;
     this.around = 25;
     this.ruler = null;
     this.app.store.set({ message: null });
@@ -148,7 +149,7 @@ export class SitePlanDialog extends DialogElement {
             this.ruler = event.detail;
           }}></parkade-site-plan-preview>
         <div class="side"><h3 id="layers">${say(lang, "layers")}</h3>
-          <ul aria-labelledby="layers">${plan.layers.map(({ name, lines }) => this.layer(name, lines.length))}</ul>
+          <ul aria-labelledby="layers">${plan.layers.map(({ name, ends }) => this.layer(name, ends.length))}</ul>
           ${plan.kind === "geojson" || plan.kind === "osm" ? nothing : this.scale(plan)}
           ${this.field("around", this.around, "m", (value) => {
             this.around = value;
@@ -187,7 +188,7 @@ export class SitePlanDialog extends DialogElement {
       )}</select></li>`;
   }
 
-  private scale(plan: SitePlan): TemplateResult {
+  private scale(plan: PlanOutline): TemplateResult {
     const { lang } = this.state,
       { ruler, unit } = this;
     const drawn = ruler && distance(...ruler) > 0 ? distance(...ruler) : null;
@@ -204,14 +205,16 @@ export class SitePlanDialog extends DialogElement {
   }
 
   /** Where the unit is not the file's, which nobody would see in its field. */
-  private guess(plan: SitePlan): TemplateResult | typeof nothing {
+  private guess(plan: PlanOutline): TemplateResult | typeof nothing {
     const { lang } = this.state,
-      { metresPerUnit } = plan;
-    if (this.unit !== suggestedUnit(plan) || this.unit === metresPerUnit) return nothing;
+      { metresPerUnit, box } = plan;
+    if (this.unit !== plan.suggestedUnit || this.unit === metresPerUnit) return nothing;
     const words =
       metresPerUnit === null
         ? say(lang, "unitUnknown")
-        : say(lang, "unitReplaced", { metres: this.num(widthOf(plan) * metresPerUnit, 2) });
+        : say(lang, "unitReplaced", {
+            metres: this.num(Math.max(box.maxX - box.minX, box.maxY - box.minY) * metresPerUnit, 2),
+          });
     return html`<p class="guess">${words}</p>`;
   }
 
@@ -225,9 +228,8 @@ export class SitePlanDialog extends DialogElement {
       .value=${String(value)} @change=${(event: Event) => set(numberOf(event))}><span>${unit}</span></span></label>`;
   }
 
-  private across({ layers }: SitePlan): string {
-    const box = boxOf(layers.flatMap(({ lines }) => lines.flatMap(({ points }) => points))),
-      metres = (units: number): string => this.num(units * this.unit, 1);
+  private across({ box }: PlanOutline): string {
+    const metres = (units: number): string => this.num(units * this.unit, 1);
     return say(this.state.lang, "across", { width: metres(box.maxX - box.minX), height: metres(box.maxY - box.minY) });
   }
 
@@ -239,7 +241,7 @@ export class SitePlanDialog extends DialogElement {
   }
 
   /** Makes the scene of what is chosen now, and once more of what was chosen meanwhile. */
-  private async convert(plan: SitePlan): Promise<void> {
+  private async convert(plan: PlanOutline): Promise<void> {
     this.isOutdated = true;
     if (this.isConverting) return;
     this.isConverting = true;

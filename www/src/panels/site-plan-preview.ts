@@ -1,21 +1,17 @@
 /** A site plan in its layers' roles, on which a known distance is drawn. */
-import type { Role, SitePlan, SitePlanLine } from "parkade/siteplan";
+import type { Role } from "parkade/siteplan";
 import { css, html, type TemplateResult } from "lit";
-import { boxOf, type Box, type Point } from "../scene/geometry";
+import type { Point } from "../scene/geometry";
 import { slotOutline } from "../scene/slots";
 import type { Scenario } from "../scene/scenario";
+import { joined, type PlanOutline } from "../siteplan/plan-outline";
 import type { State } from "../store";
 import type { Tokens } from "../view/tokens";
 import { AppElement } from "./base";
 import type { On } from "./inputs";
+import { PlanPainter, trace, type Fit, type LineStyle } from "./site-plan-painter";
 
 const EDGE = 14;
-
-interface Fit {
-  scale: number;
-  x: number;
-  y: number;
-}
 
 export class SitePlanPreview extends AppElement {
   static override properties = {
@@ -35,7 +31,7 @@ export class SitePlanPreview extends AppElement {
     }
     canvas { position: absolute; inset: 0; width: 100%; height: 100%; cursor: crosshair; touch-action: none; }
   `;
-  declare plan: SitePlan | null;
+  declare plan: PlanOutline | null;
   declare roles: Readonly<Record<string, Role>>;
   /** What would open. */
   declare scene: Scenario | null;
@@ -47,6 +43,12 @@ export class SitePlanPreview extends AppElement {
   declare ruler: [Point, Point] | null;
   declare label: string;
   private readonly resized = new ResizeObserver(() => this.requestUpdate());
+  /** The plan as it is shown, and as it is painted for the next picture. */
+  private shown = new PlanPainter();
+  private next = new PlanPainter();
+  /** What the last picture was begun for. */
+  private begun: readonly unknown[] = [];
+  private frame = 0;
 
   constructor() {
     super();
@@ -66,24 +68,59 @@ export class SitePlanPreview extends AppElement {
   }
 
   protected override updated(): void {
-    const canvas = this.renderRoot.querySelector("canvas"),
-      { plan } = this;
-    if (!canvas || !plan || canvas.clientWidth === 0) return;
+    const { plan, roles, lit, clientWidth: width, clientHeight: height } = this;
+    if (!plan || width === 0) return;
     const ratio = devicePixelRatio || 1,
+      { colour } = this.app.tokens(),
+      wanted = [plan, roles, lit, width, height, ratio, JSON.stringify(colour)];
+    if (wanted.some((one, i) => one !== this.begun[i])) {
+      this.begun = wanted;
+      const styles = plan.layers.map(
+        (layer) => [layer, styleOf(roles[layer.name] ?? "none", colour, layer.name === lit)] as const,
+      );
+      this.next.begin({ width, height, ratio }, styles, this.fit());
+      this.paintOn();
+    }
+    this.compose(colour);
+  }
+
+  /** Paints a share of the plan now and, while more is left, another in each frame. What was shown stays until then. */
+  private paintOn(): void {
+    cancelAnimationFrame(this.frame);
+    this.next.paint();
+    if (this.next.isDone) [this.shown, this.next] = [this.next, this.shown];
+    else
+      this.frame = requestAnimationFrame(() => {
+        this.paintOn();
+        this.compose(this.app.tokens().colour);
+      });
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    cancelAnimationFrame(this.frame);
+  }
+
+  /** The plan, the bays that would open, and the distance that is drawn. */
+  private compose(colour: Tokens["colour"]): void {
+    const canvas = this.renderRoot.querySelector("canvas");
+    if (!canvas || !this.plan) return;
+    const { clientWidth: width, clientHeight: height } = canvas,
+      ratio = devicePixelRatio || 1,
       ctx = canvas.getContext("2d")!,
-      { colour } = this.app.tokens();
-    canvas.width = canvas.clientWidth * ratio;
-    canvas.height = canvas.clientHeight * ratio;
+      fit = this.fit();
+    canvas.width = width * ratio;
+    canvas.height = height * ratio;
     ctx.scale(ratio, ratio);
-    const fit = this.fit();
-    for (const { name, lines } of plan.layers)
-      paint(ctx, lines, styleOf(this.roles[name] ?? "none", colour, name === this.lit), fit);
+    // The first picture shows as it grows.
+    const painted = this.shown.canvas.width === canvas.width ? this.shown : this.next;
+    if (painted.canvas.width > 0 && painted.canvas.height > 0) ctx.drawImage(painted.canvas, 0, 0, width, height);
     this.paintBays(ctx, colour, fit);
     if (this.ruler) {
       ctx.strokeStyle = colour.accent;
       ctx.lineWidth = 2;
       ctx.setLineDash([]);
-      trace(ctx, { points: this.ruler, closed: false }, fit);
+      trace(ctx, this.ruler.flat(), false, fit);
       ctx.stroke();
     }
   }
@@ -106,7 +143,7 @@ export class SitePlanPreview extends AppElement {
         [a, d, c, b],
         [mouth, deep],
       ]) {
-        trace(ctx, { points, closed: false }, fit);
+        trace(ctx, points.flat(), false, fit);
         ctx.stroke();
       }
     }
@@ -116,18 +153,13 @@ export class SitePlanPreview extends AppElement {
   private lowest(): Point | null {
     const chosen = this.plan!.layers.filter(({ name }) => (this.roles[name] ?? "none") !== "none");
     if (chosen.length === 0) return null;
-    const { minX, minY } = boxOf(chosen.flatMap(({ lines }) => lines.flatMap(({ points }) => points)));
+    const { minX, minY } = joined(chosen.map(({ box }) => box));
     return [minX, minY];
   }
 
-  private boxes = new WeakMap<SitePlan, Box>();
-
   private fit(): Fit {
     const { clientWidth: width, clientHeight: height } = this,
-      plan = this.plan!;
-    const box =
-      this.boxes.get(plan) ?? boxOf(plan.layers.flatMap(({ lines }) => lines.flatMap(({ points }) => points)));
-    this.boxes.set(plan, box);
+      { box } = this.plan!;
     const scale = Math.min(
       (width - 2 * EDGE) / Math.max(box.maxX - box.minX, 1e-9),
       (height - 2 * EDGE) / Math.max(box.maxY - box.minY, 1e-9),
@@ -158,17 +190,9 @@ export class SitePlanPreview extends AppElement {
   };
 }
 
-interface Style {
-  stroke: string;
-  width: number;
-  dash: number[];
-  fill: string | null;
-  alpha: number;
-}
-
-function styleOf(role: Role, colour: Tokens["colour"], lit: boolean): Style {
-  const base: Style = { stroke: colour["obs-edge"], width: 1.25, dash: [], fill: null, alpha: 1 };
-  const own: Partial<Record<Role, Partial<Style>>> = {
+function styleOf(role: Role, colour: Tokens["colour"], lit: boolean): LineStyle {
+  const base: LineStyle = { stroke: colour["obs-edge"], width: 1.25, dash: [], fill: null, alpha: 1 };
+  const own: Partial<Record<Role, Partial<LineStyle>>> = {
     none: { stroke: colour.t3, width: 1, alpha: 0.35 },
     wall: { width: 2 },
     kerb: { dash: [5, 3] },
@@ -178,28 +202,6 @@ function styleOf(role: Role, colour: Tokens["colour"], lit: boolean): Style {
     ground: { stroke: colour.t1, fill: colour.floor, dash: [8, 3, 2, 3] },
   };
   return { ...base, ...own[role], ...(lit ? { stroke: colour.accent, width: 3, alpha: 1 } : {}) };
-}
-
-function paint(ctx: CanvasRenderingContext2D, lines: readonly SitePlanLine[], style: Style, fit: Fit): void {
-  ctx.globalAlpha = style.alpha;
-  ctx.strokeStyle = style.stroke;
-  ctx.lineWidth = style.width;
-  ctx.setLineDash(style.dash);
-  for (const line of lines) {
-    trace(ctx, line, fit);
-    if (style.fill && line.closed) {
-      ctx.fillStyle = style.fill;
-      ctx.fill();
-    }
-    ctx.stroke();
-  }
-  ctx.globalAlpha = 1;
-}
-
-function trace(ctx: CanvasRenderingContext2D, { points, closed }: SitePlanLine, { scale, x, y }: Fit): void {
-  ctx.beginPath();
-  for (const [px, py] of points) ctx.lineTo(px * scale + x, y - py * scale);
-  if (closed) ctx.closePath();
 }
 
 customElements.define("parkade-site-plan-preview", SitePlanPreview);

@@ -1,5 +1,6 @@
 /** Site plans from files. A worker reads the file, keeps the plan, and makes scenes of it until it is closed. */
-import type { SitePlan, SitePlanOptions, SitePlanScene } from "parkade/siteplan";
+import type { SitePlanOptions, SitePlanScene } from "parkade/siteplan";
+import type { PlanOutline } from "../siteplan/plan-outline";
 import { MOST_BYTES, SitePlanError } from "../siteplan/site-plan";
 import { CallError, Calls } from "./calls";
 import type { SitePlanJobs } from "./site-plan-worker";
@@ -10,7 +11,7 @@ export class SitePlanReader {
     new Worker(new URL("./site-plan-worker.ts", import.meta.url), { type: "module", name: "site plan" }),
   );
 
-  async read(file: File): Promise<SitePlan> {
+  async read(file: File): Promise<PlanOutline> {
     if (file.size > MOST_BYTES)
       throw new SitePlanError(
         rule`a site plan must have at most ${MOST_BYTES / 1e6} MB, got ${Math.ceil(file.size / 1e6)} MB`,
