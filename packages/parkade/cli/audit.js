@@ -182,10 +182,12 @@ function picture(scene, rows) {
     );
     const [x = 0, y = 0] = at(middle).split(",").map(Number);
     const fill = isReached ? FILLS[Math.min(moves, FILLS.length) - 1] : "url(#out-of-reach)";
-    return (
-      `<polygon points="${outline.map(at).join(" ")}" fill="${fill}" fill-opacity="0.85" stroke="#fff"/><text ` +
-      `x="${x}" y="${y + 4}" fill="${isReached && moves > 3 ? "#fff" : "#16202a"}">${isReached ? moves : "–"}</text>`
-    );
+    const word = (/** @type {string | number} */ text, /** @type {string} */ ink) =>
+      `<text x="${x}" y="${y + 4}" fill="${ink}">${text}</text>`;
+    const mark = isReached
+      ? word(moves, moves > 3 ? "#fff" : "#16202a")
+      : `<circle cx="${x}" cy="${y}" r="9" fill="#fff"/>${word("✕", "#b3261e")}`;
+    return `<polygon points="${outline.map(at).join(" ")}" fill="${fill}" fill-opacity="0.85" stroke="#fff"/>${mark}`;
   });
   const svg = toSVG(scene, [], { width: WIDTH, height, theme: "light", camera });
   const layer =

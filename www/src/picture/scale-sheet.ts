@@ -134,13 +134,14 @@ const areaOf = ({ points, fill, isHatched }: SheetArea, place: (point: Point) =>
   return `<path d="${d}" fill="${fill}"/>${isHatched ? `<path d="${d}" fill="url(#hatch)"/>` : ""}`;
 };
 
-function wordOf({ points, ink, text, isHatched }: SheetArea, place: (point: Point) => Point): string {
+/** On a disc: a parked car covers the area's colour. */
+function wordOf({ points, fill, ink, text, isHatched }: SheetArea, place: (point: Point) => Point): string {
   const placed = points.map(place),
     x = placed.reduce((sum, [px]) => sum + px, 0) / placed.length,
     y = placed.reduce((sum, [, py]) => sum + py, 0) / placed.length;
-  const back = isHatched ? `<circle cx="${number(x)}" cy="${number(y)}" r="2.2" fill="#FFFFFF"/>` : "";
   return (
-    `${back}<text x="${number(x)}" y="${number(y + 1.1)}" text-anchor="middle" font-weight="600" ` +
+    `<circle cx="${number(x)}" cy="${number(y)}" r="2.2" fill="${isHatched ? "#FFFFFF" : fill}"/>` +
+    `<text x="${number(x)}" y="${number(y + 1.1)}" text-anchor="middle" font-weight="600" ` +
     `fill="${ink}">${escaped(text)}</text>`
   );
 }
