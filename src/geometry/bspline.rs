@@ -83,7 +83,7 @@ impl Knots {
 
 /// A place on a spline.
 #[derive(Debug, Clone, Copy)]
-pub struct Place {
+pub struct CurvePoint {
     /// Position, metres.
     pub point: Point,
     /// Derivatives by u.
@@ -92,7 +92,7 @@ pub struct Place {
     pub second: Vector,
 }
 
-impl Place {
+impl CurvePoint {
     /// Signed curvature, 1/m, positive to the left: κ = (x′y″ − y′x″)/|C′|³, which does not depend on the parameter.
     pub fn curvature(&self) -> f64 {
         let speed = self.first.norm();
@@ -141,7 +141,7 @@ impl Spline {
 
     /// The place at u, from 0 to 1. Derivatives are splines of a lower degree over the same knots, whose control points
     /// are divided differences of these.
-    pub fn at(&self, u: f64) -> Place {
+    pub fn at(&self, u: f64) -> CurvePoint {
         let n = self.controls.len();
         let (first, [linear, quadratic, cubic]) = self.knots.all_bases(n, u);
         let knot = |i: usize| self.knots.at(n, i);
@@ -156,7 +156,7 @@ impl Spline {
         let sum = |controls: &[Vector], values: [f64; 4]| {
             controls.iter().zip(values).fold(Vector::zeros(), |sum, (c, v)| sum + c * v)
         };
-        Place {
+        CurvePoint {
             point: Point::from(sum(&zeroth, cubic)),
             first: sum(&slopes, quadratic),
             second: sum(&bends, linear),
@@ -164,7 +164,7 @@ impl Spline {
     }
 
     /// Where each control point has the most to say.
-    pub fn places(&self) -> Vec<Place> {
+    pub fn places(&self) -> Vec<CurvePoint> {
         let n = self.controls.len();
         let mean = |i: usize| (1..4).map(|k| self.knots.at(n, i + k)).sum::<f64>() / 3.0;
         (0..n).map(|i| self.at(mean(i).clamp(0.0, 1.0))).collect()

@@ -48,7 +48,7 @@ fn bad<T>(message: Message) -> Result<T, Error> {
 /// assert_eq!(scene.obstacles.len(), 1);
 /// ```
 pub fn scene(name: &str, text: &str) -> Result<Scenario, Error> {
-    let mut numbers = Numbers { items: text.trim().trim_end_matches(',').split(','), read: 0 };
+    let mut numbers = NumberReader { items: text.trim().trim_end_matches(',').split(','), read: 0 };
     let start = numbers.pose()?;
     let goal = numbers.pose()?;
     let count = numbers.count("the number of obstacles", 0.0)?;
@@ -111,12 +111,12 @@ fn frame(poses: [Pose; 2]) -> MapFrame {
 }
 
 /// The file's numbers one after another; errors count them from 1.
-struct Numbers<'a> {
+struct NumberReader<'a> {
     items: core::str::Split<'a, char>,
     read: usize,
 }
 
-impl Numbers<'_> {
+impl NumberReader<'_> {
     /// The next number, which must be there and finite.
     fn number(&mut self) -> Result<f64, Error> {
         self.read += 1;

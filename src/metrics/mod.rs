@@ -15,7 +15,7 @@ pub mod grid;
 mod narrowest;
 mod outlines;
 #[cfg(feature = "complete")]
-pub mod risk;
+pub mod random_drives;
 pub mod road;
 mod signed_distance;
 

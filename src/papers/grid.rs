@@ -21,7 +21,7 @@ use crate::planners::{bidirectional, dijkstra_greedy, risk_field};
 use crate::post::SmoothMode;
 use crate::post::{prune, prune_dp, smooth};
 use crate::scenario::generate::{Family, occupancy};
-use crate::search::{Stop, Watch};
+use crate::search::{Observers, Stop};
 
 /// Figures kept of each planner on each map, in this order.
 pub const COLUMNS: [&str; 11] = [
@@ -156,7 +156,7 @@ pub fn measure(row: &Row, from: u64, to: u64, clock: &mut dyn FnMut() -> f64) ->
 fn run(planner: &str, map: &Occupancy, scratch: &mut GridScratch) -> GridReport {
     use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
     // As planners on scenes are called: a search for `()` would be the same code a second time.
-    let mut silent = Watch::default();
+    let mut silent = Observers::default();
     let end = map.width() as i32 - 1;
     let query = Query { map, start: Cell::new(0, 0), goal: Cell::new(end, end) };
     let mut around = |neighbourhood, change: fn(&mut grid_astar::Config)| {

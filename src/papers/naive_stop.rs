@@ -11,7 +11,7 @@ use crate::planners::Outcome;
 use crate::planners::bidirectional::{Config, plan};
 use crate::planners::query::{GridScratch, Query};
 use crate::scenario::generate::occupancy;
-use crate::search::{Stop, Watch};
+use crate::search::{Observers, Stop};
 
 /// Seeds of each kind and size of map.
 const SEEDS: u64 = 250;
@@ -57,7 +57,8 @@ impl NaiveStop {
         let map = occupancy(row.family, row.size, seed)?;
         let end = map.width() as i32 - 1;
         let query = Query { map: &map, start: Cell::new(0, 0), goal: Cell::new(end, end) };
-        let mut by = |stop| plan(query, &Config { stop, ..Config::DEFAULT }, scratch, &mut Watch::default());
+        let mut by =
+            |stop| plan(query, &Config { stop, ..Config::DEFAULT }, scratch, &mut Observers::default());
         let [cheapest, naive] = [Stop::Optimal, Stop::Naive].map(&mut by);
         self.maps += 1;
         if naive.outcome == Outcome::Found {

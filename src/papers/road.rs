@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use crate::error::{Error, ErrorCode};
-use crate::metrics::risk::{self, Risk};
+use crate::metrics::random_drives::{self, Risk};
 use crate::metrics::road::RoadMetrics;
 use crate::plan::{Detail, Options, Planner, collision_risk};
 use crate::scenario::Scenario;
@@ -235,7 +235,7 @@ fn line(
         plan = round()?;
     }
     let path: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
-    let risk = collision_risk(scene, &path, &risk::Options::default())?;
+    let risk = collision_risk(scene, &path, &random_drives::Options::default())?;
     let metrics = plan.metrics.road.unwrap_or_default();
     let fell_back = plan.detail == Some(Detail::SmoothingFellBack);
     Ok(Line { id, verdict: plan.check.verdict.as_str(), fell_back, metrics, risk, milliseconds })

@@ -13,7 +13,7 @@ use super::outcome::Plan;
 use super::world::World;
 use crate::scenario::Scenario;
 use crate::search::ExpansionCallback;
-use crate::search::{Progress, Trace, Watch};
+use crate::search::{Observers, Progress, Trace};
 #[cfg(feature = "complete")]
 use crate::{
     geometry::{Point, Pose},
@@ -38,7 +38,7 @@ pub(super) struct Ask<'a> {
 
 impl<'a> Ask<'a> {
     /// The observer of a search over cells; it takes the progress.
-    pub(super) fn watch(&mut self) -> Watch<'a> {
+    pub(super) fn observers(&mut self) -> Observers<'a> {
         let trace = self.is_traced.then(|| Trace::new(TRACE));
         #[cfg(feature = "complete")]
         let trace = trace.map(|trace| trace.telling(self.expansions));

@@ -38,7 +38,7 @@ use crate::planners::risk_field;
 use crate::planners::settings::{Common, Inflation, Post};
 use crate::post::{Piece, Smoothed, prune, prune_dp, smooth};
 use crate::scenario::Scenario;
-use crate::search::Watch;
+use crate::search::Observers;
 
 /// A path of more poses than this is sampled less often. It bounds time and memory of the check on maps of kilometres.
 const MAX_POSES: f64 = 50_000.0;
@@ -71,7 +71,7 @@ impl GridEngine {
     /// The search alone, between two cells. Rasters that depend on them are brought up to date before.
     ///
     /// Ends outside the map get a cell that no map has, which the planner answers with an outcome.
-    fn search_cells(&mut self, world: &World, cells: [Cell; 2], watch: &mut Watch) -> GridReport {
+    fn search_cells(&mut self, world: &World, cells: [Cell; 2], observers: &mut Observers) -> GridReport {
         #[cfg(feature = "complete")]
         {
             self.rasters.prepare(world, cells);
@@ -79,7 +79,7 @@ impl GridEngine {
                 self.rasters.prepare_bits(world);
             }
         }
-        self.search.run(self.rasters.query(world, cells), &mut self.scratch, watch)
+        self.search.run(self.rasters.query(world, cells), &mut self.scratch, observers)
     }
 
     /// The potential field between the ends of `world`, if one leads the search.
@@ -91,23 +91,23 @@ impl GridEngine {
 impl Engine for GridEngine {
     /// Search, then [`Finish`].
     fn plan(&mut self, _: &Scenario, world: &mut World, mut ask: Ask) -> Plan {
-        let mut watch = ask.watch();
-        let report = self.search_cells(world, ends(world), &mut watch);
+        let mut observers = ask.observers();
+        let report = self.search_cells(world, ends(world), &mut observers);
         #[cfg(feature = "complete")]
-        if let Some(trace) = &mut watch.0 {
+        if let Some(trace) = &mut observers.0 {
             trace.flush();
         }
-        if let Some(progress) = &mut watch.1 {
+        if let Some(progress) = &mut observers.1 {
             progress.finish(report.stats.expanded);
         }
         let finish = Finish { world, rasters: &self.rasters, settings: self.settings, report: &report };
-        let mut plan = finish.plan(watch.0.is_some());
+        let mut plan = finish.plan(observers.0.is_some());
         #[cfg(feature = "complete")]
         {
             self.count(&report, &mut plan.stats);
             plan.recorded = ask.record.map(|limit| Box::new(self.record(world, limit)));
         }
-        plan.trace = watch.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
+        plan.trace = observers.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
         plan
     }
 
@@ -133,7 +133,7 @@ impl Engine for GridEngine {
 
     #[cfg(feature = "complete")]
     fn search(&mut self, world: &World, ends: [Pose; 2]) -> Option<GridReport> {
-        Some(self.search_cells(world, cells_of(world, ends), &mut Watch::default()))
+        Some(self.search_cells(world, cells_of(world, ends), &mut Observers::default()))
     }
 
     #[cfg(feature = "complete")]

@@ -7,7 +7,7 @@ use super::choices::{self, Choosing, Wish};
 use super::engine::{Ask, Engine};
 #[cfg(feature = "complete")]
 use super::hybrid_answer::resolution;
-use super::hybrid_answer::{detail, metrics, outcome, reason, stats};
+use super::hybrid_answer::{metrics, reason, stats};
 use super::measured::{Driven, NEAR, STEP, measured};
 #[cfg(feature = "complete")]
 use super::outcome::{Member, Outcome, Recorded};
@@ -90,14 +90,14 @@ impl HybridEngine {
         if let Some(progress) = progress {
             progress.finish(report.stats.expanded);
         }
-        let mut found = matches!(report.status, Status::Found | Status::Suboptimal);
+        let mut found = report.status.is_found();
         let driven = if found { drive(&query, &report) } else { Driven::default() };
-        let mut plan = measured(world, outcome(report.status), driven, NEAR);
+        let mut plan = measured(world, report.status.outcome(), driven, NEAR);
         if found && plan.check.verdict == Verdict::Collides {
             (found, report.status) = (false, Status::VerificationFailed);
-            plan = measured(world, outcome(report.status), Driven::default(), NEAR);
+            plan = measured(world, report.status.outcome(), Driven::default(), NEAR);
         }
-        plan.detail = detail(report.status);
+        plan.detail = report.status.detail();
         plan.reason = reason(scenario, geometry, &report);
         plan.stats = stats(&report);
         if found {
@@ -150,7 +150,7 @@ impl HybridEngine {
             let asked = (&report, share, wish.prefer != Some(Prefer::Widest));
             let kept = stay(&query, &self.config, last, asked, &mut self.scratch, &mut is_kept);
             if let (Some(kept), Some(mut stayed)) = (kept, stayed) {
-                (stayed.detail, stayed.stats) = (detail(kept.status), plan.stats.clone());
+                (stayed.detail, stayed.stats) = (kept.status.detail(), plan.stats.clone());
                 (stayed.member, stayed.trace) = (plan.member, plan.trace.take());
                 stayed.recorded = plan.recorded.take();
                 *plan = stayed;
@@ -219,7 +219,7 @@ impl HybridEngine {
                 if plan.check.verdict == Verdict::Collides {
                     return std::ops::ControlFlow::Continue(());
                 }
-                (plan.planner, plan.detail, plan.stats) = (id, detail(report.status), stats(&report));
+                (plan.planner, plan.detail, plan.stats) = (id, report.status.detail(), stats(&report));
                 fill(&query, &report, &mut plan);
                 plan.member = Self::member(&report);
                 choosing.offer(plan)

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "complete")]
 use super::outcome::Member;
-use super::outcome::{Detail, HybridMetrics, Outcome, Stats};
+use super::outcome::{HybridMetrics, Stats};
 use crate::geometry::arcs;
 use crate::planners::hybrid::{Report, Status};
 use crate::scenario::Scenario;
@@ -56,35 +56,6 @@ pub(super) fn resolution(member: &Member) -> String {
     let (cell, margin) = (small(member.xy_resolution), small(member.margin));
     let degrees = (member.heading_resolution.to_degrees() * 10.0).round() / 10.0;
     format!("at {cell} and {degrees}° with {margin} of margin")
-}
-
-pub(super) fn outcome(status: Status) -> Outcome {
-    match status {
-        Status::Found | Status::Suboptimal => Outcome::Found,
-        Status::StartInCollision(_) => Outcome::StartBlocked,
-        Status::GoalInCollision(_) => Outcome::GoalBlocked,
-        Status::Unreachable
-        | Status::TooNarrow(_)
-        | Status::NoPath
-        | Status::BoxedIn { .. }
-        | Status::VerificationFailed => Outcome::NoPath,
-        #[cfg(feature = "complete")]
-        Status::NoRoom => Outcome::NoPath,
-        Status::BudgetExhausted(_) => Outcome::BudgetSpent,
-    }
-}
-
-pub(super) fn detail(status: Status) -> Option<Detail> {
-    match status {
-        Status::Suboptimal => Some(Detail::Suboptimal),
-        Status::Unreachable => Some(Detail::Unreachable),
-        Status::TooNarrow(_) => Some(Detail::TooNarrow),
-        #[cfg(feature = "complete")]
-        Status::NoRoom => Some(Detail::NoRoom),
-        Status::BoxedIn { .. } => Some(Detail::BoxedIn),
-        Status::VerificationFailed => Some(Detail::VerificationFailed),
-        _ => None,
-    }
 }
 
 pub(super) fn stats(report: &Report) -> Stats {

@@ -9,7 +9,7 @@ use super::measured::NEAR;
 use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
 #[cfg(feature = "complete")]
-use crate::metrics::risk::{self, Risk};
+use crate::metrics::random_drives::{self, Risk};
 use crate::metrics::road::{Figures, figures};
 use crate::metrics::{Body, Check, check};
 use crate::scenario::Scenario;
@@ -186,19 +186,27 @@ pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error>
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses, or none, or too many metres would be driven.
 #[cfg(feature = "complete")]
-pub fn collision_risk(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Risk, Error> {
+pub fn collision_risk(
+    scenario: &Scenario,
+    path: &[f64],
+    options: &random_drives::Options,
+) -> Result<Risk, Error> {
     let (geometry, poses) = drivable(scenario, path, options)?;
-    Ok(risk::collision_risk(&geometry, &Body::new(&geometry), &poses, options))
+    Ok(random_drives::collision_risk(&geometry, &Body::new(&geometry), &poses, options))
 }
 
-/// The band that the car's middle stays in during the drives of [`collision_risk`]: [`risk::drive_envelope`].
+/// The band that the car's middle stays in during the drives of [`collision_risk`]: [`random_drives::drive_envelope`].
 ///
 /// # Errors
 /// As [`collision_risk`].
 #[cfg(feature = "complete")]
-pub fn drive_envelope(scenario: &Scenario, path: &[f64], options: &risk::Options) -> Result<Vec<f64>, Error> {
+pub fn drive_envelope(
+    scenario: &Scenario,
+    path: &[f64],
+    options: &random_drives::Options,
+) -> Result<Vec<f64>, Error> {
     let (geometry, poses) = drivable(scenario, path, options)?;
-    Ok(risk::drive_envelope(&geometry, &poses, options))
+    Ok(random_drives::drive_envelope(&geometry, &poses, options))
 }
 
 /// The poses of a path that is short enough for all trials.
@@ -206,12 +214,13 @@ pub fn drive_envelope(scenario: &Scenario, path: &[f64], options: &risk::Options
 fn drivable(
     scenario: &Scenario,
     path: &[f64],
-    options: &risk::Options,
+    options: &random_drives::Options,
 ) -> Result<(Geometry, Vec<Pose>), Error> {
     let (geometry, poses) = (scenario.geometry()?, some_poses(path)?);
     let driven = f64::from(options.trials) * length(&poses);
-    if driven > risk::MAX_DRIVEN {
-        let message = message!("must drive at most {} m together, got {} m", risk::MAX_DRIVEN, driven);
+    if driven > random_drives::MAX_DRIVEN {
+        let message =
+            message!("must drive at most {} m together, got {} m", random_drives::MAX_DRIVEN, driven);
         return Err(Error::new(ErrorCode::Input, "trials", message));
     }
     Ok((geometry, poses))

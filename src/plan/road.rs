@@ -124,26 +124,26 @@ impl Engine for RoadEngine {
     /// the one whose way the car drives.
     fn plan(&mut self, scenario: &Scenario, world: &mut World, mut ask: Ask) -> Plan {
         let world = &*world;
-        let mut watch = ask.watch();
+        let mut observers = ask.observers();
         let mut scratch = std::mem::take(&mut self.scratch);
         self.turn(scenario, world);
-        let mut report = plan(&self.query(world, false), &self.config, &mut scratch, &mut watch);
+        let mut report = plan(&self.query(world, false), &self.config, &mut scratch, &mut observers);
         let (mut line, mut plan) = self.driven(world, &report);
         let is_bad = line.fell_back || plan.check.verdict == Verdict::Collides;
         if report.has_margin && report.outcome == Outcome::Found && is_bad {
             // A way with the margin that no car can drive is none.
-            let mut before = watch.0.take();
-            watch.0 = before.as_mut().map(Trace::restart);
-            let next = self::plan(&self.query(world, true), &self.config, &mut scratch, &mut watch);
-            watch.0 = before.zip(watch.0.take()).map(|(before, after)| before.followed_by(after));
+            let mut before = observers.0.take();
+            observers.0 = before.as_mut().map(Trace::restart);
+            let next = self::plan(&self.query(world, true), &self.config, &mut scratch, &mut observers);
+            observers.0 = before.zip(observers.0.take()).map(|(before, after)| before.followed_by(after));
             let expanded = report.stats.expanded + next.stats.expanded;
             report = Report { stats: SearchStats { expanded, ..next.stats }, ..next };
             (line, plan) = self.driven(world, &report);
         }
-        if let Some(progress) = &mut watch.1 {
+        if let Some(progress) = &mut observers.1 {
             progress.finish(report.stats.expanded);
         }
-        if let Some(trace) = &mut watch.0 {
+        if let Some(trace) = &mut observers.0 {
             trace.flush();
         }
         let query = self.query(world, false);
@@ -188,7 +188,7 @@ impl Engine for RoadEngine {
             let [width, height] = [world.frame.width, world.frame.height];
             Box::new(Recorded::Cells { width, height, recording })
         });
-        plan.trace = watch.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
+        plan.trace = observers.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
         plan
     }
 

@@ -19,7 +19,7 @@ use std::ops::Range;
 
 use super::tractrix::tractrix;
 use super::world::World;
-use crate::geometry::bspline::{Place, Spline};
+use crate::geometry::bspline::{CurvePoint, Spline};
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::metrics::check::HEADING_TOLERANCE;
 use crate::planners::cost_map::{CostMap, Lateral, RoadRasters, Smooth, Smoothing, Station, dense, smooth};
@@ -223,7 +223,7 @@ impl Curve<'_> {
                 }
             }
         }
-        let left = |(place, by): (&Place, f64)| {
+        let left = |(place, by): (&CurvePoint, f64)| {
             let way = place.first.normalize();
             Vector::new(-way.y, way.x) * by
         };
@@ -348,7 +348,7 @@ pub(super) fn along(spline: &Spline, step: f64) -> Vec<(Point, Vector)> {
     // Parameters are not quite lengths.
     let count = (length * 1.25 / step).ceil().max(2.0) as u32;
     let place = |k: u32| {
-        let Place { point, first, .. } = spline.at(f64::from(k) / f64::from(count));
+        let CurvePoint { point, first, .. } = spline.at(f64::from(k) / f64::from(count));
         (point, first)
     };
     (0..=count).map(place).collect()

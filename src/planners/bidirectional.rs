@@ -14,7 +14,7 @@ use super::settings::Common;
 use super::weighted::Weighted;
 use super::{Detail, Outcome};
 use crate::json;
-use crate::search::{Observer, Recording, Stop, Watch, bidirectional, record_bidirectional};
+use crate::search::{Observer, Observers, Recording, Stop, bidirectional, record_bidirectional};
 
 json::words!(Stop: "first" = First, "best" = Best, "nba" = Optimal, "naive" = Naive);
 
@@ -67,7 +67,7 @@ pub fn plan<O: Observer<i64, ()>>(
     if report.outcome == Outcome::NoPath && config.stop == Stop::Naive {
         // Silent, but of the type that plans are watched with: a second copy of the search saves nothing.
         let sound = Config { stop: Stop::First, ..*config };
-        if stopped(query, &sound, scratch, &mut Watch::default()).outcome == Outcome::Found {
+        if stopped(query, &sound, scratch, &mut Observers::default()).outcome == Outcome::Found {
             report.detail = Some(Detail::Incomplete);
         }
     }

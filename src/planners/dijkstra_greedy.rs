@@ -15,7 +15,7 @@ use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
 use crate::search::one_way;
-use crate::search::{Observer, Recording, Watch, record_one_way};
+use crate::search::{Observer, Observers, Recording, record_one_way};
 
 parameters! {
     /// Settings of both searches.
@@ -52,9 +52,9 @@ impl GridPlanner for Search {
         self.config.common
     }
 
-    fn run(&self, at: Prepared, scratch: &mut GridScratch, watch: &mut Watch) -> GridReport {
+    fn run(&self, at: Prepared, scratch: &mut GridScratch, observers: &mut Observers) -> GridReport {
         let plan = if self.is_greedy { greedy } else { dijkstra };
-        plan(at.query, &self.config, scratch, watch)
+        plan(at.query, &self.config, scratch, observers)
     }
 
     fn record(&self, at: Prepared, limit: usize) -> Recording {

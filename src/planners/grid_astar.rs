@@ -15,7 +15,7 @@ use super::settings::Common;
 use super::weighted::Weighted;
 use crate::error::{Error, ErrorCode};
 use crate::json;
-use crate::search::{Observer, Watch, one_way};
+use crate::search::{Observer, Observers, one_way};
 use crate::search::{Recording, record_one_way};
 
 /// The factor on the estimate.
@@ -158,8 +158,8 @@ impl GridPlanner for GridAstar {
         self.config.common
     }
 
-    fn run(&self, at: Prepared, scratch: &mut GridScratch, watch: &mut Watch) -> GridReport {
-        plan(at.query, self.neighbourhood, &self.config, scratch, watch)
+    fn run(&self, at: Prepared, scratch: &mut GridScratch, observers: &mut Observers) -> GridReport {
+        plan(at.query, self.neighbourhood, &self.config, scratch, observers)
     }
 
     #[cfg(feature = "complete")]

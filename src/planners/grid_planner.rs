@@ -5,8 +5,8 @@ use super::query::{GridReport, GridScratch, Query};
 use super::risk_field::config::Config as RiskFieldConfig;
 use super::settings::Common;
 use crate::map::Bits;
+use crate::search::Observers;
 use crate::search::Recording;
-use crate::search::Watch;
 
 /// A query, with what was prepared of its map.
 #[derive(Clone, Copy)]
@@ -24,7 +24,7 @@ pub(crate) trait GridPlanner: Parameters + Send {
     fn common(&self) -> Common;
 
     /// The search.
-    fn run(&self, at: Prepared, scratch: &mut GridScratch, watch: &mut Watch) -> GridReport;
+    fn run(&self, at: Prepared, scratch: &mut GridScratch, observers: &mut Observers) -> GridReport;
 
     /// The search once more with its events written down, at most `limit` of them.
     #[cfg(feature = "complete")]
@@ -54,9 +54,9 @@ macro_rules! grid_planner {
                 &self,
                 at: $crate::planners::grid_planner::Prepared,
                 scratch: &mut $crate::planners::query::GridScratch,
-                watch: &mut $crate::search::Watch,
+                observers: &mut $crate::search::Observers,
             ) -> $crate::planners::query::GridReport {
-                $plan(at.query, self, scratch, watch)
+                $plan(at.query, self, scratch, observers)
             }
 
             #[cfg(feature = "complete")]

@@ -30,7 +30,7 @@ use crate::map::{Bits, Cell};
 use crate::search::lattice::{Edge, EdgeSink, Lattice};
 use crate::search::one_way;
 use crate::search::{
-    Considered, Legality, NodeId, Observer, PackedEntry, Part, Recording, Watch, record_one_way,
+    Considered, Legality, NodeId, Observer, Observers, PackedEntry, Part, Recording, record_one_way,
 };
 
 parameters! {
@@ -54,8 +54,8 @@ impl GridPlanner for Config {
         self.common
     }
 
-    fn run(&self, at: Prepared, scratch: &mut GridScratch, watch: &mut Watch) -> GridReport {
-        plan(at.query, prepared(at), self, scratch, watch)
+    fn run(&self, at: Prepared, scratch: &mut GridScratch, observers: &mut Observers) -> GridReport {
+        plan(at.query, prepared(at), self, scratch, observers)
     }
 
     fn record(&self, at: Prepared, limit: usize) -> Recording {

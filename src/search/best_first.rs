@@ -9,7 +9,7 @@
 //! With E expansions, b moves a node and an open list of n entries a search takes O(E·b) relaxations and O(log n)
 //! for each entry at worst; the buckets of the open list make most insertions constant.
 
-use super::open_list::Kind;
+use super::open_list::EntryKind;
 use super::{Budget, Cost, Domain, End, NodeId, Observer, Scratch, SearchStats, Tree};
 
 /// When to stop short of the cheapest completion.
@@ -52,7 +52,7 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
     let mut best = D::Cost::MAX;
     let mut budget = Budget::new(limits.max_expansions, observer);
     while let Some(entry) = tree.pop() {
-        if entry.kind() == Kind::Goal {
+        if entry.kind() == EntryKind::Goal {
             report.end = End::Found;
             break;
         }
@@ -69,7 +69,7 @@ pub fn best_first<D: Domain, O: Observer<D::Cost, D::Label>>(
                 report.end = End::Found;
                 break;
             }
-            tree.scratch.open.push(tree.domain.order(), best, D::Cost::default(), at.node, Kind::Goal);
+            tree.scratch.open.push(tree.domain.order(), best, D::Cost::default(), at.node, EntryKind::Goal);
         }
         tree.expand(at, best, observer);
     }

@@ -66,7 +66,7 @@ pub use entry::{Entry, PackedEntry, WideEntry};
 pub use frontier::PackedScratch;
 pub use node_table::Scratch;
 pub use observer::{ExpansionCallback, Expansions};
-pub use observer::{Observer, Progress, ProgressCallback, Trace, Watch};
+pub use observer::{Observer, Observers, Progress, ProgressCallback, Trace};
 pub use one_way::{Found, one_way, one_way_deferring};
 pub use open_list::Order;
 pub use recorded::{Considered, Legality, Part, record_deferring, record_one_way};

@@ -14,7 +14,7 @@
 //! ticket ≥ since, last bit 1     closed: expanded, g and parent are final
 //! ```
 
-use super::open_list::{self, Kind, OpenList, Order};
+use super::open_list::{self, EntryKind, OpenList, Order};
 use super::{Cost, NodeId};
 
 pub(super) const NO_PARENT: NodeId = NodeId::MAX;
@@ -32,7 +32,7 @@ pub(super) struct Slot<C, L> {
     ticket: u32,
 }
 
-/// Tickets end in two bits of [`Kind`], of which nodes' have none.
+/// Tickets end in two bits of [`EntryKind`], of which nodes' have none.
 const CLOSED: u32 = 1;
 
 impl<C, L> Slot<C, L> {
@@ -114,7 +114,7 @@ impl<C: Cost, L: Copy + Default> Scratch<C, L> {
         if node as usize >= self.slots.len() {
             self.grow((node as usize + 1).next_power_of_two());
         }
-        let ticket = self.open.push(order, f, h, node, Kind::Fresh);
+        let ticket = self.open.push(order, f, h, node, EntryKind::Fresh);
         let slot = &mut self.slots[node as usize];
         let fresh = slot.ticket < self.since;
         *slot = Slot { g, label, parent, ticket };

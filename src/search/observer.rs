@@ -101,7 +101,7 @@ impl<C: Copy, L: Copy, A: Observer<C, L>, B: Observer<C, L>> Observer<C, L> for 
 }
 
 /// How plans are watched; of one type, so that each search is compiled once for all of them.
-pub type Watch<'a> = (Option<Trace<'a>>, Option<Progress<'a>>);
+pub type Observers<'a> = (Option<Trace<'a>>, Option<Progress<'a>>);
 
 /// Some of a search's expansions, in their order: nodes of a grid, or what a lattice makes of its states.
 #[derive(Debug, Clone, Copy)]

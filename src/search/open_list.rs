@@ -29,7 +29,7 @@ pub enum Order {
 
 /// The kind of an open-list entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum EntryKind {
     /// A node to expand.
     Fresh,
     /// A completed path.
@@ -42,16 +42,16 @@ pub(super) struct Entry<C> {
     pub(super) f: C,
     pub(super) h: C,
     pub(super) node: NodeId,
-    /// Number of the push, counted on from search to search, then two bits of [`Kind`]: a later push has a larger
+    /// Number of the push, counted on from search to search, then two bits of [`EntryKind`]: a later push has a larger
     /// ticket.
     pub(super) ticket: u32,
 }
 
 impl<C: Cost> Entry<C> {
-    pub(super) fn kind(&self) -> Kind {
+    pub(super) fn kind(&self) -> EntryKind {
         match self.ticket & 3 {
-            0 => Kind::Fresh,
-            _ => Kind::Goal,
+            0 => EntryKind::Fresh,
+            _ => EntryKind::Goal,
         }
     }
 
@@ -100,7 +100,7 @@ pub(super) struct OpenList<C> {
 
 /// Tickets begin here, so that 0 is none.
 pub(super) const FIRST: u32 = TICKET;
-/// From one ticket to the next: below are the bits of [`Kind`].
+/// From one ticket to the next: below are the bits of [`EntryKind`].
 const TICKET: u32 = 4;
 const ARITY: usize = 4;
 /// How deep into the stack an entry may be put.
@@ -166,7 +166,7 @@ impl<C: Cost> OpenList<C> {
     }
 
     /// Adds an entry and returns its ticket.
-    pub(super) fn push(&mut self, order: Order, f: C, h: C, node: NodeId, kind: Kind) -> u32 {
+    pub(super) fn push(&mut self, order: Order, f: C, h: C, node: NodeId, kind: EntryKind) -> u32 {
         let ticket = self.ticket | kind as u32;
         let entry = Entry { f, h, node, ticket };
         self.ticket += TICKET;

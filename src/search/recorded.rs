@@ -48,7 +48,7 @@ pub trait Considered: Lattice {
 
 /// A lattice as the recorder asks it: behind a pointer, so that the searches are compiled once.
 pub(super) trait Asked {
-    fn successors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink);
+    fn successors(&self, node: NodeId, last: Option<u32>, sink: &mut RecordingSink);
     fn consider(
         &self,
         node: NodeId,
@@ -62,19 +62,19 @@ pub(super) trait Asked {
 
 /// The same of a [`Reversible`] lattice.
 pub(super) trait AskedBothWays: Asked {
-    fn predecessors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink);
+    fn predecessors(&self, node: NodeId, last: Option<u32>, sink: &mut RecordingSink);
     fn to_start(&self, node: NodeId) -> i64;
 }
 
 /// The deferred moves of a [`Deferring`] lattice.
 trait AskedLater {
-    fn deferred(&self, node: NodeId, payload: Option<u32>, sink: &mut Sink);
+    fn deferred(&self, node: NodeId, payload: Option<u32>, sink: &mut RecordingSink);
     fn deferral(&self) -> Deferral;
     fn payload(&self) -> u32;
 }
 
 impl<L: Considered> Asked for L {
-    fn successors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink) {
+    fn successors(&self, node: NodeId, last: Option<u32>, sink: &mut RecordingSink) {
         Lattice::successors(self, node, last, sink);
     }
 
@@ -98,7 +98,7 @@ impl<L: Considered> Asked for L {
 }
 
 impl<L: Considered + Reversible> AskedBothWays for L {
-    fn predecessors(&self, node: NodeId, last: Option<u32>, sink: &mut Sink) {
+    fn predecessors(&self, node: NodeId, last: Option<u32>, sink: &mut RecordingSink) {
         Reversible::predecessors(self, node, last, sink);
     }
 
@@ -108,7 +108,7 @@ impl<L: Considered + Reversible> AskedBothWays for L {
 }
 
 impl<L: Deferring> AskedLater for L {
-    fn deferred(&self, node: NodeId, payload: Option<u32>, sink: &mut Sink) {
+    fn deferred(&self, node: NodeId, payload: Option<u32>, sink: &mut RecordingSink) {
         match payload {
             Some(payload) => self.deferred_successors(node, payload, sink),
             None => self.deferred_at_once(node, sink),
@@ -163,7 +163,7 @@ pub(super) struct Known {
 }
 
 #[derive(Default)]
-pub(super) struct Side {
+pub(super) struct RecordedSide {
     pub(super) known: BTreeMap<NodeId, Known>,
     open: BinaryHeap<Waiting>,
     pushes: u32,
@@ -171,7 +171,7 @@ pub(super) struct Side {
     peak: usize,
 }
 
-impl Side {
+impl RecordedSide {
     pub(super) fn root(root: NodeId, h: i64) -> Self {
         let mut side = Self::default();
         side.known.insert(root, Known { g: 0, number: None, is_closed: false });
@@ -212,21 +212,21 @@ impl Side {
 }
 
 /// Takes the moves of one node and writes them down.
-pub(super) struct Sink<'a> {
-    pub(super) side: &'a mut Side,
-    pub(super) other: Option<&'a Side>,
+pub(super) struct RecordingSink<'a> {
+    pub(super) side: &'a mut RecordedSide,
+    pub(super) other: Option<&'a RecordedSide>,
     pub(super) best: Option<&'a mut (i64, NodeId)>,
     pub(super) recording: &'a mut Recording,
     pub(super) g: i64,
 }
 
-impl Sink<'_> {
+impl RecordingSink<'_> {
     fn improves_at(&self, node: i64, cost: i64) -> bool {
         u32::try_from(node).is_ok_and(|node| self.side.improves(node, self.g + cost))
     }
 }
 
-impl EdgeSink for Sink<'_> {
+impl EdgeSink for RecordingSink<'_> {
     fn improves(&self, target: NodeId, cost: i64) -> bool {
         self.side.improves(target, self.g + cost)
     }
@@ -264,7 +264,7 @@ impl EdgeSink for Sink<'_> {
 pub(super) fn refuse(
     lattice: &dyn Asked,
     (node, known, part): (NodeId, Known, Part),
-    side: &Side,
+    side: &RecordedSide,
     recording: &mut Recording,
     hold: bool,
 ) {
@@ -315,7 +315,7 @@ fn one_way(
     max_expansions: u32,
     limit: usize,
 ) -> Recording {
-    let mut side = Side::root(start, lattice.to_goal(start));
+    let mut side = RecordedSide::root(start, lattice.to_goal(start));
     let mut out = Recording::default();
     if let Some(Deferral::Penalty(penalty)) = later.map(AskedLater::deferral) {
         out.penalty = penalty as f64;
@@ -335,7 +335,8 @@ fn one_way(
         let numbers = [g, h, entry.f].map(|value| value as f64);
         if let Some(payload) = entry.payload {
             out.step(StepKind::Deferred, 0, node, numbers);
-            let sink = &mut Sink { side: &mut side, other: None, best: None, recording: &mut out, g };
+            let sink =
+                &mut RecordingSink { side: &mut side, other: None, best: None, recording: &mut out, g };
             if let Some(later) = later {
                 later.deferred(node, Some(payload), sink);
             }
@@ -354,7 +355,7 @@ fn one_way(
         }
         out.step(StepKind::Expand, 0, node, numbers);
         let pushes = side.pushes;
-        let sink = &mut Sink { side: &mut side, other: None, best: None, recording: &mut out, g };
+        let sink = &mut RecordingSink { side: &mut side, other: None, best: None, recording: &mut out, g };
         lattice.successors(node, known.number, sink);
         let has_improved = side.pushes > pushes;
         refuse(lattice, (node, known, Part::Forward), &side, &mut out, false);
@@ -370,13 +371,13 @@ fn defer(
     (lattice, later): (&dyn Asked, &dyn AskedLater),
     (node, known, h): (NodeId, Known, i64),
     has_improved: bool,
-    side: &mut Side,
+    side: &mut RecordedSide,
     out: &mut Recording,
 ) {
     let (g, deferral) = (known.g, later.deferral());
     let at_once = !has_improved && deferral != Deferral::Never;
     if at_once {
-        later.deferred(node, None, &mut Sink { side, other: None, best: None, recording: out, g });
+        later.deferred(node, None, &mut RecordingSink { side, other: None, best: None, recording: out, g });
     }
     refuse(lattice, (node, known, Part::Deferred), side, out, !at_once);
     if let (Deferral::Penalty(penalty), true) = (deferral, has_improved) {
@@ -385,7 +386,7 @@ fn defer(
     }
 }
 
-pub(super) fn count(mut out: Recording, sides: &[Side]) -> Recording {
+pub(super) fn count(mut out: Recording, sides: &[RecordedSide]) -> Recording {
     for side in sides {
         out.stats.generated += side.generated;
         out.stats.pushes += side.pushes;

@@ -13,7 +13,7 @@
 use super::NodeId;
 use super::bidirectional::Stop;
 use super::lattice::Reversible;
-use super::recorded::{AskedBothWays, Considered, Known, Part, Side, Sink, count, refuse};
+use super::recorded::{AskedBothWays, Considered, Known, Part, RecordedSide, RecordingSink, count, refuse};
 use super::recording::{Recording, StepKind};
 
 /// [`bidirectional`](super::bidirectional()), of which at most `limit` steps are written down.
@@ -41,7 +41,7 @@ fn both_ways(
         stop,
         most: max_expansions,
         limit,
-        sides: [start, goal].map(|root| Side::root(root, far)),
+        sides: [start, goal].map(|root| RecordedSide::root(root, far)),
         best: (i64::MAX, start),
         last: [far; 2],
         current: [start, goal],
@@ -51,13 +51,13 @@ fn both_ways(
     count(search.out, &search.sides)
 }
 
-/// The state of the search: the fields of the fast one, with a [`Side`] in place of packed records.
+/// The state of the search: the fields of the fast one, with a [`RecordedSide`] in place of packed records.
 struct TwoSides<'a> {
     lattice: &'a dyn AskedBothWays,
     stop: Stop,
     most: u32,
     limit: usize,
-    sides: [Side; 2],
+    sides: [RecordedSide; 2],
     /// The cheapest connection so far and its node.
     best: (i64, NodeId),
     /// Each side's last f.
@@ -126,7 +126,8 @@ impl TwoSides<'_> {
         let [forward, backward] = &mut self.sides;
         let (side, other) = if turn == 0 { (forward, &*backward) } else { (backward, &*forward) };
         let best = joins.then_some(&mut self.best);
-        let sink = &mut Sink { side, other: Some(other), best, recording: &mut self.out, g: known.g };
+        let sink =
+            &mut RecordingSink { side, other: Some(other), best, recording: &mut self.out, g: known.g };
         let part = if turn == 0 {
             self.lattice.successors(node, known.number, sink);
             Part::Forward

@@ -5,7 +5,7 @@
 //! them decides when to stop. A move that cannot lead to a path below the best one known is not put into the open list.
 
 use super::node_table::{NO_PARENT, Slot};
-use super::open_list::{Entry, Kind};
+use super::open_list::{Entry, EntryKind};
 use super::{Cost, Domain, Finish, NodeId, Observer, Relax, Scratch, SearchStats, Visit};
 
 /// A domain, and what a search has found in it so far.
@@ -45,7 +45,7 @@ impl<'a, D: Domain> Tree<'a, D> {
     #[inline(always)]
     pub(super) fn pop(&mut self) -> Option<Entry<D::Cost>> {
         while let Some(entry) = self.scratch.open.pop(self.domain.order()) {
-            if entry.kind() == Kind::Goal || self.scratch.slot_mut(entry.node).is_current(entry.ticket) {
+            if entry.kind() == EntryKind::Goal || self.scratch.slot_mut(entry.node).is_current(entry.ticket) {
                 return Some(entry);
             }
         }
@@ -89,7 +89,7 @@ impl<'a, D: Domain> Tree<'a, D> {
     ) {
         let Self { domain, scratch, .. } = self;
         let mut sink =
-            Sink { domain: &**domain, scratch, observer, parent: at.node, g: at.g, best, generated: 0 };
+            TreeSink { domain: &**domain, scratch, observer, parent: at.node, g: at.g, best, generated: 0 };
         domain.successors(at, &mut sink);
         self.generated += sink.generated;
     }
@@ -120,7 +120,7 @@ fn visit<C: Copy, L: Copy>(node: NodeId, slot: &Slot<C, L>) -> Visit<C, L> {
 }
 
 /// Takes the moves of one node, `parent`, which the search has reached at cost `g`.
-struct Sink<'a, D: Domain, O> {
+struct TreeSink<'a, D: Domain, O> {
     domain: &'a D,
     scratch: &'a mut Scratch<D::Cost, D::Label>,
     observer: &'a mut O,
@@ -130,7 +130,7 @@ struct Sink<'a, D: Domain, O> {
     generated: u32,
 }
 
-impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sink<'_, D, O> {
+impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for TreeSink<'_, D, O> {
     fn improves(&self, target: NodeId, cost: D::Cost) -> bool {
         let g = self.g + cost;
         g < self.best && self.scratch.get(target).is_none_or(|s| !s.is_closed() && g < s.g)
@@ -157,7 +157,7 @@ impl<D: Domain, O: Observer<D::Cost, D::Label>> Relax<D::Cost, D::Label> for Sin
 
 /// A move whose target is estimated at infinity, or whose f is no less than the best path's cost, never enters the
 /// open list. This keeps the list short once a first path is known: every later entry can still improve on it.
-impl<D: Domain, O: Observer<D::Cost, D::Label>> Sink<'_, D, O> {
+impl<D: Domain, O: Observer<D::Cost, D::Label>> TreeSink<'_, D, O> {
     /// Records `parent` as the way to `target` and puts the target into the open list.
     fn link(&mut self, parent: NodeId, g: D::Cost, target: NodeId, label: D::Label) {
         let h = self.domain.heuristic(target, label);

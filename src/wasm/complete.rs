@@ -18,7 +18,7 @@ use super::{JsResult, RawPlanner, answer, codec, goes_on, optional, read_scene};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose, reeds_shepp};
 use crate::import::{self, Question};
-use crate::metrics::risk;
+use crate::metrics::random_drives;
 use crate::papers::{claims, grid, incomplete, parking, road, verdicts, volumes};
 use crate::plan;
 use crate::scenario::{Obstacle, Scenario, generate, run_length};
@@ -181,7 +181,7 @@ pub fn road_figures(scene: JsValue, path: &[f64]) -> JsResult {
 pub fn collision_risk(scene: JsValue, path: &[f64], options: JsValue) -> JsResult {
     let scene = read_scene(scene)?;
     let fields = optional(options, ErrorCode::Input)?;
-    let options = risk::Options::from_json(&fields).map_err(|e| codec::js_error(&e))?;
+    let options = random_drives::Options::from_json(&fields).map_err(|e| codec::js_error(&e))?;
     let risk =
         plan::collision_risk(&scene, path, &options).map_err(|e| codec::js_error(&e.within("plan")))?;
     Ok(codec::write(&risk))
@@ -192,7 +192,7 @@ pub fn collision_risk(scene: JsValue, path: &[f64], options: JsValue) -> JsResul
 pub fn drive_envelope(scene: JsValue, path: &[f64], options: JsValue) -> JsResult {
     let scene = read_scene(scene)?;
     let fields = optional(options, ErrorCode::Input)?;
-    let options = risk::Options::from_json(&fields).map_err(|e| codec::js_error(&e))?;
+    let options = random_drives::Options::from_json(&fields).map_err(|e| codec::js_error(&e))?;
     let band =
         plan::drive_envelope(&scene, path, &options).map_err(|e| codec::js_error(&e.within("plan")))?;
     Ok(codec::f64s(&band))

@@ -69,7 +69,7 @@ test("the shortest way at any angle is measured beside a grid planner's path", a
     element.store.set({ focus: "eight" });
   });
   await settled(page);
-  const yardstick = page.locator("parkade-yardstick");
+  const yardstick = page.locator("parkade-any-angle");
   await yardstick.getByRole("button", { name: "Measure" }).click();
   // A straight line of 30 by 15 cells; eight neighbours take 15 steps straight and 15 diagonal.
   await expect(yardstick.locator("output")).toHaveText("33.54 m");

@@ -37,7 +37,7 @@ fn long_connections_take_a_million_checks_and_a_thousand_each() {
     // With more expansions the search goes round the block and on, until a connection is worth its checks again.
     let lot = corridor(50_000.0);
     let found = plan(&lot, 150);
-    assert!(matches!(found.status, Status::Found | Status::Suboptimal), "{:?}", found.status);
+    assert!(found.status.is_found(), "{:?}", found.status);
     assert!((49_990.0..50_000.0).contains(&arcs::length(&found.arcs)), "{}", arcs::length(&found.arcs));
     lot.check_every("beyond the limit", &found.arcs, 0.5);
 }

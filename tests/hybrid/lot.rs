@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use parkade::geometry::arcs::{self, Arc};
 use parkade::geometry::{Point, Pose, math};
-use parkade::planners::hybrid::{Config, Query, Report, Scratch, Status, plan};
+use parkade::planners::hybrid::{Config, Query, Report, Scratch, plan};
 use parkade::scenario::{Goal, catalog};
 use parkade::vehicle::Vehicle;
 use parkade::vehicle::collision::{CollisionChecker, Obstacles, Solid};
@@ -63,7 +63,7 @@ impl Lot {
     /// Plans and checks the path; its length and direction changes.
     pub(crate) fn solve(&self, name: &str, config: &Config) -> (f64, u32, Report) {
         let report = self.plan(config);
-        assert!(matches!(report.status, Status::Found | Status::Suboptimal), "{name}: {:?}", report.status);
+        assert!(report.status.is_found(), "{name}: {:?}", report.status);
         self.check(name, &report.arcs);
         let length = arcs::length(&report.arcs);
         assert!(length >= report.rs_bound - 1e-6, "{name}: {length} below {}", report.rs_bound);

@@ -1,6 +1,6 @@
 import { init, Planner, sceneGeometry, type Obstacle } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
-import { faultText } from "../../www/src/panels/new-lot-words";
+import { faultText } from "../../www/src/panels/new-lot-messages";
 import { mapOutline, resolve, type Scene } from "../../www/src/scene/model";
 import {
   buildLot,

@@ -121,7 +121,7 @@ describe("the page's words", () => {
     const taken = (pattern: RegExp): Set<string> => new Set([...text.matchAll(pattern)].map(([, one]) => one!));
     const quoted = taken(/"([\w. +-]+)"/g),
       made = taken(/`(\w+)\.\$\{/g),
-      spoken = taken(/\bwords(?:At)?\("(\w+)"/g),
+      spoken = taken(/\btranslator(?:At)?\("(\w+)"/g),
       plain = taken(/\b(\w+)\b/g);
     const said = (key: string): boolean => {
       const [prefix = "", ...rest] = key.split("."),

@@ -16,7 +16,7 @@ use parkade::planners::cost_map::{
     Config, CostMap, Query, Report, RoadRasters, Scratch, Traffic, kerb_distances, plan,
 };
 use parkade::scenario::{Scenario, catalog};
-use parkade::search::Watch;
+use parkade::search::Observers;
 use serde_json::json;
 
 pub(crate) const IDS: [&str; 4] = ["road-straight", "road-curve", "road-crossing", "road-narrow"];
@@ -64,7 +64,7 @@ impl Scene {
             goal: self.goal,
             less: false,
         };
-        plan(&query, config, &mut Scratch::default(), &mut Watch::default())
+        plan(&query, config, &mut Scratch::default(), &mut Observers::default())
     }
 }
 

@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::f64::consts::PI;
 
 use parkade::geometry::{Point, Pose, math};
-use parkade::metrics::{Verdict, risk};
+use parkade::metrics::{Verdict, random_drives};
 use parkade::plan::{
     Detail, Ends, LayerData, Options, Outcome, PlanTrace, Planner, collision_risk, road_figures,
 };
@@ -172,26 +172,26 @@ fn curves_forgive_what_cells_do_not() {
         ("road-narrow", 863, 10),
     ] {
         let scene = catalog::scenario(id).unwrap();
-        let risk = |settings: &serde_json::Value, options: &risk::Options| {
+        let risk = |settings: &serde_json::Value, options: &random_drives::Options| {
             let plan = planned(id, settings);
             let path: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
             collision_risk(&scene, &path, options).unwrap()
         };
-        let all = risk::Options::default();
+        let all = random_drives::Options::default();
         let (before, after) = (risk(&plain(), &all), risk(&json!({}), &all));
         println!("{id}: {before:?} {after:?}");
         assert!(before.hits.abs_diff(cells) <= cells * 3 / 20, "{id}: {before:?}");
         assert!(before.disc_hits <= before.hits && after.disc_hits <= after.hits);
         assert!(after.hits <= most, "{id}: {after:?}");
         let slices = [(0, 300), (300, 700)].map(|(from, trials)| {
-            let slice = risk(&plain(), &risk::Options { trials, from, ..all.clone() });
+            let slice = risk(&plain(), &random_drives::Options { trials, from, ..all.clone() });
             (slice.hits, slice.disc_hits)
         });
         let sum = (slices[0].0 + slices[1].0, slices[0].1 + slices[1].1);
         assert_eq!(sum, (before.hits, before.disc_hits), "{id}");
     }
     let scene = catalog::scenario("road-narrow").unwrap();
-    assert_eq!(collision_risk(&scene, &[], &risk::Options::default()).unwrap_err().path, "path");
+    assert_eq!(collision_risk(&scene, &[], &random_drives::Options::default()).unwrap_err().path, "path");
     assert_eq!(road_figures(&scene, &[0.0, f64::NAN, 0.0]).unwrap_err().path, "path[1]");
 }
 

@@ -5,7 +5,7 @@
 import { ParkadePlayground } from "./element/loader";
 import { ATTRIBUTES, EVENTS, METHODS, SETTABLE } from "./element/public-api";
 import { messageOf } from "./i18n/said";
-import { fieldsOf } from "./scene/keys";
+import { fieldsOf } from "./scene/records";
 
 const wanted = new URLSearchParams(location.hash.slice(1));
 /** Whom to talk to: the page around, or those that it names; messages of others are not heard. */

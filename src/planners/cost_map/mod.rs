@@ -31,7 +31,7 @@ pub use smooth::{Smooth, Smoothing, dense, paper_spline, smooth};
 use super::Outcome;
 use crate::geometry::{Point, math};
 use crate::map::Cell;
-use crate::search::{Limits, NodeId, Recording, SearchStats, Watch, best_first, record_best_first};
+use crate::search::{Limits, NodeId, Observers, Recording, SearchStats, best_first, record_best_first};
 use domain::{Places, Road};
 use prune::Chords;
 
@@ -83,8 +83,8 @@ pub struct Report {
 #[derive(Debug, Default)]
 pub struct Scratch(crate::search::Scratch<f64, ()>);
 
-/// Plans a way over cells and prunes it; `watch` is told of every cell expanded.
-pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut Watch) -> Report {
+/// Plans a way over cells and prunes it; `observers` is told of every cell expanded.
+pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, observers: &mut Observers) -> Report {
     let ground = query.ground;
     let map = query.costs;
     let mut report = Report {
@@ -114,7 +114,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
     for strict in [true, false].into_iter().skip(usize::from(is_last)) {
         let mut road = Road { map, goal: (goal, last), strict: strict.then_some(ground) };
         let limits = Limits { max_expansions: config.max_expansions - report.stats.expanded, first: false };
-        let next = best_first(&mut road, (root, ()), limits, memory, watch);
+        let next = best_first(&mut road, (root, ()), limits, memory, observers);
         report.stats.add(next.stats);
         report.stats.generated = next.stats.generated;
         report.last = next.stats.expanded;
@@ -132,7 +132,7 @@ pub fn plan(query: &Query, config: &Config, scratch: &mut Scratch, watch: &mut W
         report.cost = cost;
         report.pruned = Chords { ground, costs: map, radius: query.radius, config }.prune(&report.cells);
     }
-    if let Some(trace) = &mut watch.0 {
+    if let Some(trace) = &mut observers.0 {
         trace.expanded.iter_mut().for_each(|node| *node = ground.frame.index(map.cell(*node)) as u32);
     }
     report

@@ -17,7 +17,7 @@
 use std::ops::Range;
 
 use super::RoadRasters;
-use crate::geometry::bspline::{Place, Rows, Spline};
+use crate::geometry::bspline::{CurvePoint, Rows, Spline};
 use crate::geometry::smoothing_spline::smoothing_spline;
 use crate::geometry::{Point, Vector};
 use crate::map::Cell;
@@ -160,9 +160,9 @@ impl<'a> Fit<'a> {
     /// The curve, if it has room and its turns are wide enough.
     fn finished(&self, spline: Spline, accept: &impl Fn(&Spline) -> bool) -> Option<Smooth> {
         let share = |k: u32| f64::from(k) / f64::from(self.places);
-        let curve: Vec<Place> = (0..=self.places).map(|k| spline.at(share(k))).collect();
+        let curve: Vec<CurvePoint> = (0..=self.places).map(|k| spline.at(share(k))).collect();
         let points: Vec<Point> = curve.iter().map(|p| p.point).collect();
-        let curvatures: Vec<f64> = curve.iter().map(Place::curvature).collect();
+        let curvatures: Vec<f64> = curve.iter().map(CurvePoint::curvature).collect();
         let clearance = self.clearance(&points);
         let bends = curvatures.iter().all(|k| k.abs() <= self.how.max_curvature);
         let is_good = clearance >= LEAST && bends && accept(&spline);
@@ -206,7 +206,7 @@ impl<'a> Fit<'a> {
         let mut sigma = self.how.sigma;
         for _ in 0..2 * ROUNDS {
             let spline = self.spline(&rows, &weights, sigma);
-            let met: Vec<Place> = at.iter().map(|&u| spline.at(u)).collect();
+            let met: Vec<CurvePoint> = at.iter().map(|&u| spline.at(u)).collect();
             let mut factors = vec![1.0; met.len()];
             for i in (0..met.len()).filter(|&i| met[i].curvature().abs() > 0.95 * limit) {
                 factors[self.around(i, reach)].fill(0.25);

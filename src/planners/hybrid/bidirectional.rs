@@ -117,7 +117,7 @@ pub(super) fn search(
     level: Level,
     work: &mut Work,
     tree: &mut Option<Tree>,
-    watch: Option<&RefCell<Recorder>>,
+    recorder: Option<&RefCell<Recorder>>,
 ) -> Option<(Vec<Arc>, Status)> {
     let Work { report, scratch, progress } = work;
     let other = scratch.other.get_or_insert_default();
@@ -135,8 +135,16 @@ pub(super) fn search(
     let lattice = |side: usize, keys| {
         let mirrored = side == 1;
         let costs = if mirrored { driven.mirrored() } else { driven };
-        let setting =
-            Setting { checker, flood: floods[side], keys, costs, mirrored, watch, poses: None, roots: &[] };
+        let setting = Setting {
+            checker,
+            flood: floods[side],
+            keys,
+            costs,
+            mirrored,
+            recorder,
+            poses: None,
+            roots: &[],
+        };
         StateLattice::new(setting, query.vehicle, config, level, ends[1 - side], report.margin)
     };
     let (mut first, mut second) = (lattice(0, &scratch.keys), lattice(1, &other.keys));

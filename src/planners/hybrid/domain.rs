@@ -85,7 +85,7 @@ pub(super) struct StateLattice<'a> {
     #[cfg(feature = "complete")]
     roots: &'a [Pose],
     pub(super) mirrored: bool,
-    watch: Option<&'a RefCell<Recorder>>,
+    recorder: Option<&'a RefCell<Recorder>>,
     pub(super) primitives: Vec<Arc>,
     words: Vec<(f64, Word)>,
     /// Moves from the state at hand.
@@ -108,7 +108,7 @@ pub(super) struct Setting<'a> {
     pub(super) costs: CostModel,
     /// True if the tree grows from the goal; `costs` are then, too.
     pub(super) mirrored: bool,
-    pub(super) watch: Option<&'a RefCell<Recorder>>,
+    pub(super) recorder: Option<&'a RefCell<Recorder>>,
     pub(super) poses: Option<&'a PoseHeuristic>,
     #[cfg(feature = "complete")]
     pub(super) roots: &'a [Pose],
@@ -147,7 +147,7 @@ impl<'a> StateLattice<'a> {
             #[cfg(feature = "complete")]
             roots: setting.roots,
             mirrored: setting.mirrored,
-            watch: setting.watch,
+            recorder: setting.recorder,
             primitives,
             words: Vec::new(),
             moves: RefCell::default(),
@@ -341,8 +341,8 @@ impl Domain for StateLattice<'_> {
         let State { pose, motion, .. } = at.label;
         self.asked += 1;
         if !(self.asked - 1).is_multiple_of(self.level.connect_every) {
-            if let Some(watch) = self.watch {
-                watch.borrow_mut().skip();
+            if let Some(recorder) = self.recorder {
+                recorder.borrow_mut().skip();
             }
             return None;
         }
@@ -373,9 +373,9 @@ impl Domain for StateLattice<'_> {
             }
         }
         self.words = found;
-        if let Some(watch) = self.watch {
+        if let Some(recorder) = self.recorder {
             let rules = (self.costs.radius, self.level.spacing, self.margin);
-            watch.borrow_mut().note(&self.checker.clone(), pose, missed.as_ref(), rules, self.mirrored);
+            recorder.borrow_mut().note(&self.checker.clone(), pose, missed.as_ref(), rules, self.mirrored);
         }
         best
     }

@@ -207,7 +207,7 @@ impl Search<'_> {
             progress.follow(work.report.stats.expanded);
         }
         let tree = self.trace.then(|| Tree::new(self, work.progress.as_ref()));
-        let watch = self.trace.then(|| RefCell::new(Recorder::new(self.origin())));
+        let recorder = self.trace.then(|| RefCell::new(Recorder::new(self.origin())));
         #[cfg(feature = "complete")]
         {
             (work.report.from_goal, work.report.resolution) = (self.mirrored, (level.xy, level.yaw));
@@ -215,8 +215,8 @@ impl Search<'_> {
         #[cfg(feature = "complete")]
         if level.is_from_both && !level.shuffle && self.goals.is_empty() {
             let mut tree = tree;
-            let found = super::bidirectional::search(self, level, work, &mut tree, watch.as_ref());
-            work.report.keep(tree, watch.as_ref());
+            let found = super::bidirectional::search(self, level, work, &mut tree, recorder.as_ref());
+            work.report.keep(tree, recorder.as_ref());
             return found;
         }
         let Work { report, scratch, progress } = work;
@@ -229,7 +229,7 @@ impl Search<'_> {
             keys: &scratch.keys,
             costs,
             mirrored: self.mirrored,
-            watch: watch.as_ref(),
+            recorder: recorder.as_ref(),
             poses: self.poses,
             #[cfg(feature = "complete")]
             roots: self.goals,
@@ -251,7 +251,7 @@ impl Search<'_> {
         } else {
             best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer)
         };
-        report.keep(observer.0, watch.as_ref());
+        report.keep(observer.0, recorder.as_ref());
         let SearchStats { generated, open_peak, .. } = found.stats;
         let nodes = crate::search::Scratch::<f64, State>::bytes(generated as usize, open_peak);
         let bytes = nodes as u64 + scratch.keys.borrow().bytes();

@@ -5,10 +5,11 @@ use super::analytic_expansion::FailedExpansions;
 use super::recording::PoseRecording;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
-use crate::planners::{Gap, Obstruction};
+use crate::planners::{Detail, Gap, Obstruction, Outcome};
 use crate::search::SearchStats;
 
-/// How planning ended.
+/// How planning ended, with the figures of it. [`outcome`](Self::outcome) and [`detail`](Self::detail) are the words that
+/// all planners share.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Status {
     /// There is a path, and nothing cheaper was left to try on its level.
@@ -39,6 +40,44 @@ pub enum Status {
     BudgetExhausted(f64),
     /// Every path found touches something between two checks.
     VerificationFailed,
+}
+
+impl Status {
+    /// True if there is a path.
+    pub fn is_found(self) -> bool {
+        matches!(self, Self::Found | Self::Suboptimal)
+    }
+
+    /// The word of all planners for it.
+    pub fn outcome(self) -> Outcome {
+        match self {
+            Self::Found | Self::Suboptimal => Outcome::Found,
+            Self::StartInCollision(_) => Outcome::StartBlocked,
+            Self::GoalInCollision(_) => Outcome::GoalBlocked,
+            Self::Unreachable
+            | Self::TooNarrow(_)
+            | Self::NoPath
+            | Self::BoxedIn { .. }
+            | Self::VerificationFailed => Outcome::NoPath,
+            #[cfg(feature = "complete")]
+            Self::NoRoom => Outcome::NoPath,
+            Self::BudgetExhausted(_) => Outcome::BudgetSpent,
+        }
+    }
+
+    /// The finer word, where there is one.
+    pub fn detail(self) -> Option<Detail> {
+        match self {
+            Self::Suboptimal => Some(Detail::Suboptimal),
+            Self::Unreachable => Some(Detail::Unreachable),
+            Self::TooNarrow(_) => Some(Detail::TooNarrow),
+            #[cfg(feature = "complete")]
+            Self::NoRoom => Some(Detail::NoRoom),
+            Self::BoxedIn { .. } => Some(Detail::BoxedIn),
+            Self::VerificationFailed => Some(Detail::VerificationFailed),
+            _ => None,
+        }
+    }
 }
 
 /// The answer of hybrid A*.

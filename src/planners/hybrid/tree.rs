@@ -88,8 +88,8 @@ impl Observer<f64, State> for Tree<'_> {
 
 impl Report {
     /// Keeps what was written down for drawing.
-    pub(super) fn keep(&mut self, tree: Option<Tree>, watch: Option<&RefCell<Recorder>>) {
-        if let (Some(tree), Some(watch)) = (tree, watch) {
+    pub(super) fn keep(&mut self, tree: Option<Tree>, recorder: Option<&RefCell<Recorder>>) {
+        if let (Some(tree), Some(recorder)) = (tree, recorder) {
             #[cfg(feature = "complete")]
             let tree = {
                 let mut tree = tree;
@@ -97,7 +97,7 @@ impl Report {
                 tree
             };
             (self.tree, self.tree_dropped) = (tree.arcs, tree.dropped);
-            self.failed_expansions = core::mem::take(&mut watch.borrow_mut().failed);
+            self.failed_expansions = core::mem::take(&mut recorder.borrow_mut().failed);
         }
     }
 }

@@ -24,7 +24,7 @@ use super::weighted::Weighted;
 use crate::map::Corner;
 use crate::planners::{Detail, Outcome};
 use crate::search::one_way_deferring;
-use crate::search::{Observer, Watch};
+use crate::search::{Observer, Observers};
 use crate::search::{Recording, record_deferring};
 use config::permille;
 
@@ -103,5 +103,5 @@ fn is_reachable(query: Query, corner: Corner, scratch: &mut GridScratch) -> bool
     let config =
         grid_astar::Config { heuristic: GridHeuristic::Octile, common, ..grid_astar::Config::new(eight) };
     // Silent, but of the type that plans are watched with: a second copy of the search saves nothing.
-    grid_astar::plan(query, eight, &config, scratch, &mut Watch::default()).outcome == Outcome::Found
+    grid_astar::plan(query, eight, &config, scratch, &mut Observers::default()).outcome == Outcome::Found
 }

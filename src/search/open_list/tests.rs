@@ -3,7 +3,7 @@
 use super::*;
 
 fn push(open: &mut OpenList<i64>, order: Order, f: i64, h: i64) {
-    open.push(order, f, h, 0, Kind::Fresh);
+    open.push(order, f, h, 0, EntryKind::Fresh);
 }
 
 /// The numbers of the pushes in the order in which they come out.

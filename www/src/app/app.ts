@@ -179,7 +179,7 @@ export class App {
     return translate(this.store.state.lang, key, values);
   }
 
-  say(tone: "err" | "warn" | "info", key: MessageKey, values?: Values): void {
+  notify(tone: "err" | "warn" | "info", key: MessageKey, values?: Values): void {
     this.store.set({ message: { tone, text: this.t(key, values), code: key } });
   }
 
@@ -290,7 +290,7 @@ export class App {
     await this.links.write();
     const href = await this.links.address(true);
     if (!href) {
-      this.say("warn", "error.longLink");
+      this.notify("warn", "error.longLink");
       return false;
     }
     return this.copy(href);
@@ -301,7 +301,7 @@ export class App {
       await navigator.clipboard.writeText(text);
       return true;
     } catch {
-      this.say("warn", "error.copy");
+      this.notify("warn", "error.copy");
       return false;
     }
   }
@@ -320,7 +320,7 @@ export class App {
   }
 
   refuse(key: MessageKey, values: Values): void {
-    this.say("err", key, values);
+    this.notify("err", key, values);
   }
 
   /** The scene that this tab showed at this address, with its history. */

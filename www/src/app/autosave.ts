@@ -1,13 +1,13 @@
 /** Keeps each tab's drawing in the browser, and offers what a closed tab has left behind. */
 import messages from "../i18n/messages/autosave.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { pack } from "../scene/link-codec";
 import { countRuns } from "../scene/large-scene";
 import type { Scene } from "../store";
 import { keepHistory, type Keeper } from "./history";
 import { keepsRule } from "./schema";
 
-const say = words("autosave", messages);
+const say = translator("autosave", messages);
 
 const KEY = "parkade.tab.";
 const SETTLE_MS = 1000;

@@ -1,13 +1,13 @@
 /** Somebody else's trajectory: judged by the referee in each scene, and driven beside ours until it is removed. */
 import messages from "../i18n/messages/guest.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { Helper } from "../planning/job-client";
 import { forPlanners } from "../scene/large-scene";
 import type { Scene } from "../store";
 import { sentence, type App } from "./app";
 import { apart, withField } from "./refusals";
 
-const say = words("guest", messages);
+const say = translator("guest", messages);
 
 /** Bytes; a million rows of eight numbers have more, and are too many for a canvas. */
 const LARGEST = 20_000_000;

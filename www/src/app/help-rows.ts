@@ -1,7 +1,7 @@
 /** Rows of the help on keys: the commands, and what keys do beside them. */
 import type { MessageKey } from "../i18n/index";
 import { TOOLS, type CommandId } from "./commands";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 /** Commands, or what else keys do. */
 export type Entry = CommandId[] | [title: MessageKey, ...chords: string[]];

@@ -5,13 +5,13 @@
 import type { ParameterInfo, PlannerInfo } from "parkade";
 import type { Lang, Values } from "../i18n/index";
 import messages from "../i18n/messages/rules.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { Scenario } from "../scene/scenario";
 import { ALL_LAYERS, LAYER_PRESETS } from "../store/layer-sets";
 import { cameraLimits } from "../view/camera";
-import { fieldsOf } from "../scene/keys";
+import { fieldsOf } from "../scene/records";
 
-const say = words("rule", messages);
+const say = translator("rule", messages);
 
 /** A rule's name, with the figures and names that it depends on. */
 interface Stated {

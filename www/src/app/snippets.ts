@@ -15,7 +15,7 @@ const MAKERS: Record<SnippetKind, (app: App) => Promise<string>> = {
 /** Copies a snippet and says so, or why not. */
 export async function copySnippet(app: App, kind: SnippetKind): Promise<void> {
   try {
-    if (await app.copy(await MAKERS[kind](app))) app.say("info", "bar.copied");
+    if (await app.copy(await MAKERS[kind](app))) app.notify("info", "bar.copied");
   } catch (error) {
     app.refuse("error.export", { reason: refusal(error) });
   }

@@ -14,7 +14,7 @@ import { plain, SceneOpening } from "./scene-opening";
 import { check, faultOfAttribute, RULES, type Known } from "../app/schema";
 import { nth } from "../scene/nth";
 import { hostOf } from "../panels/beside";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 export { colours } from "./colours";
 
@@ -260,7 +260,7 @@ export class Embedded extends SceneOpening {
   /** Shows these planners and no others. */
   private async showPlanners(names: string): Promise<void> {
     await this.app.complete();
-    check(words(names), RULES.planners(this.known), "planners");
+    check(namesIn(names), RULES.planners(this.known), "planners");
     this.take("planners", null, names);
   }
 
@@ -380,11 +380,11 @@ async function frames(count: number): Promise<void> {
   for (let i = 0; i < count; i++) await new Promise((done) => requestAnimationFrame(done));
 }
 
-const words = (text: string): string[] => text.split(/\s+/).filter(Boolean);
+const namesIn = (text: string): string[] => text.split(/\s+/).filter(Boolean);
 
 /** A preset's name or the layers themselves. */
 function layersOf(text: string): State["layers"] {
-  const names = words(text);
+  const names = namesIn(text);
   const preset = LAYER_PRESETS.find((one) => names.length === 1 && one === names[0]) as LayerPreset | undefined;
   if (preset) return presetLayers(preset);
   return layerSet((key) => names.includes(key));

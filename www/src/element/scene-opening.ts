@@ -3,7 +3,7 @@ import { refusal } from "../app/app";
 import { Playground } from "./playground";
 import { oneOf, ValueError } from "../app/schema";
 import { messageOf } from "../i18n/said";
-import { fieldsOf } from "../scene/keys";
+import { fieldsOf } from "../scene/records";
 
 /**
  * Events of other elements have these names too, and pages listen for them further out; `error` would reach

@@ -1,5 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { wordsAt } from "../i18n/words";
+import { translatorAt } from "../i18n/translator";
 import { Helper } from "../planning/job-client";
 import type { Scene, State } from "../store";
 import { controls } from "../styles/controls";
@@ -7,13 +7,13 @@ import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { messageOf } from "../i18n/said";
 
-const say = wordsAt("yardstick");
+const say = translatorAt("yardstick");
 
 /** Cells of the largest map that is measured: some seconds. */
 const MOST = 40_000;
 
 /** How much longer a grid planner's path is than any over cell centres must be. */
-export class Yardstick extends AppElement {
+export class AnyAngleCard extends AppElement {
   static override styles = [
     controls,
     sections,
@@ -70,7 +70,7 @@ export class Yardstick extends AppElement {
 
   private async measure(): Promise<void> {
     const { focus: planner, scene } = this.state;
-    const asked: NonNullable<Yardstick["asked"]> = { scene, planner, metres: undefined };
+    const asked: NonNullable<AnyAngleCard["asked"]> = { scene, planner, metres: undefined };
     this.asked = asked;
     this.requestUpdate();
     try {
@@ -84,4 +84,4 @@ export class Yardstick extends AppElement {
   }
 }
 
-customElements.define("parkade-yardstick", Yardstick);
+customElements.define("parkade-any-angle", AnyAngleCard);

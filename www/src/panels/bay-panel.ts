@@ -17,7 +17,7 @@ import { INK, RAMP } from "../view/layers/bays";
 import { AppElement } from "./base";
 import { BAY_COLUMNS, bayCsv, bayLines, UNITS, type BayColumn, type BayLine, type BayOrder } from "./bay-rows";
 import { bayStyles, room } from "./bay-styles";
-import { heading, say } from "./bay-words";
+import { heading, say } from "./bay-messages";
 import { valueOf } from "./inputs";
 import { nth } from "../scene/nth";
 

@@ -8,7 +8,7 @@ import {
   printPage,
   SCALES,
   sheetSvg,
-  type Sheet,
+  type ScaleSheet,
   type SheetArea,
 } from "../picture/scale-sheet";
 import { siteDrawing } from "../picture/site-drawing";
@@ -18,8 +18,8 @@ import type { Scene } from "../store";
 import { bestRow, countBays, gradeOf, HARD, type BayCheck } from "../store/bay-check";
 import { INK, RAMP } from "../view/layers/bays";
 import { BAY_COLUMNS, bayLines } from "./bay-rows";
-import { heading, say as sayBays } from "./bay-words";
-import { say, today, vehicleText } from "./sheet-words";
+import { heading, say as sayBays } from "./bay-messages";
+import { say, today, vehicleText } from "./sheet-messages";
 import { lastIn, nth } from "../scene/nth";
 import { sceneTitle } from "../app/scene-title";
 
@@ -45,7 +45,7 @@ export function reportPage(scene: Scene, check: BayCheck, lang: Lang, name = sce
     return printPage(title, language, { svg: "", paper: "A4" }, tableOf(check, lang, title, note));
   }
   const { asked, reachable, hard } = countBays(check);
-  const sheet: Sheet = {
+  const sheet: ScaleSheet = {
     drawing,
     shown: new Set(["ground", "bays", "obstacles", "parked"]),
     areas: [...check.rows.keys()].flatMap((index) => areaOf(scene, check, index)),

@@ -1,7 +1,7 @@
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from "lit";
 import "../i18n/later";
 import messages from "../i18n/messages/charts.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { State } from "../store";
 import { focusedPlan, played } from "../store/results";
 import { controls } from "../styles/controls";
@@ -51,7 +51,7 @@ const UNITS: Record<Quantity, string> = {
   steering: "°",
   steeringRate: "°/s",
 };
-const say = words("charts", messages);
+const say = translator("charts", messages);
 
 /**
  * Curvature, clearance and speed along the path, or the car's motion in time; marked where the pointer is on the map.

@@ -2,13 +2,13 @@ import type { Choice } from "../store/results";
 import type { Plan, PlannerId, Prefer } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import messages from "../i18n/messages/choices.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { plannerName } from "../styles/planner-style";
 import { AppElement } from "./base";
 
-const say = words("choices", messages);
+const say = translator("choices", messages);
 
 /** Percent above the shortest way without obstacles: rounding, and what tells more as a length. */
 const ROUNDING = 1e-4,

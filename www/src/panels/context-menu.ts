@@ -5,7 +5,7 @@ import { ariaKeys, shownChord } from "../app/chord-text";
 import type { Command } from "../app/command";
 import { commands, isEnabled, type CommandId } from "../app/commands";
 import messages from "../i18n/messages/context-menu.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { anyOfSlots, anywhereIn, leaveSlot, orThere, slotOfStart, slotsOfGoal } from "../scene/goals";
 import { findObstacle, findSlot, isGoalPose, movePose, setGoalFromSlot } from "../scene/model";
 import { removeObstacle } from "../scene/removal";
@@ -18,7 +18,7 @@ import { AppElement } from "./base";
 import { icon, type IconName } from "../styles/icons";
 import { nth } from "../scene/nth";
 
-const say = words("contextMenu", messages);
+const say = translator("contextMenu", messages);
 
 /**
  * Menu at the pointer, opened by a right click or a resting finger. The platform has it over everything; it is closed

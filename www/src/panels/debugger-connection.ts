@@ -1,13 +1,13 @@
 /** What became of the connection to the other end that a step of a search for a car tried. */
 import { html, type TemplateResult } from "lit";
 import { number } from "../i18n/index";
-import type { FailedConnection } from "../planning/failed-connections";
+import type { FailedExpansion } from "../planning/failed-expansions";
 import { STEP, type SearchReplay } from "../planning/search-replay";
 import type { State } from "../store";
-import { say } from "../texts/search-words";
+import { say } from "../texts/search-messages";
 import { thingName } from "../texts/status";
 
-export function connectionCard(state: State, replay: SearchReplay, failed: FailedConnection | null): TemplateResult {
+export function connectionCard(state: State, replay: SearchReplay, failed: FailedExpansion | null): TemplateResult {
   const { lang } = state,
     kind = replay.step < 0 ? STEP.expand : replay.kindOf(replay.step);
   const text = failed

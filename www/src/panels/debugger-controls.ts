@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { number, type Lang } from "../i18n/index";
 import { icon, type IconName } from "../styles/icons";
-import { placeOf, say } from "../texts/search-words";
+import { placeOf, say } from "../texts/search-messages";
 import { chosenOf } from "./chosen";
 import { legend, unitsOf } from "./debugger-parts";
 import { POSE_RADIUS, SPEEDS, type Breakpoints, type Session } from "./debugger-session";

@@ -3,12 +3,12 @@ import type { Explanation } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import type { SearchReplay } from "../planning/search-replay";
 import { estimatesAt, fateText, pseudocode } from "../texts/search-steps";
-import { cost, placeOf, placeOfStep, say, targetOf } from "../texts/search-words";
+import { cost, placeOf, placeOfStep, say, targetOf } from "../texts/search-messages";
 import { samplingOf } from "../texts/sampling-steps";
 import { UNITS, type Unit } from "./debugger-session";
 import { SIGNS } from "../view/layers/search-marks";
 import { nth } from "../scene/nth";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 const SHOWN_ENTRIES = 12;
 

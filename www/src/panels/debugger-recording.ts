@@ -4,7 +4,7 @@ import { download } from "../app/app";
 import { number, type Lang } from "../i18n/index";
 import { traceAsJson, traceForPosthoc } from "../planning/trace-export";
 import type { State } from "../store";
-import { say } from "../texts/search-words";
+import { say } from "../texts/search-messages";
 import { samplingOf } from "../texts/sampling-steps";
 import type { Session } from "./debugger-session";
 

@@ -2,7 +2,7 @@ import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { Explanation, PlannerId, PoseTrace, SearchTrace } from "parkade";
 import { refusal, type App } from "../app/app";
 import { Helper } from "../planning/job-client";
-import { FailedConnections } from "../planning/failed-connections";
+import { FailedExpansionIndex } from "../planning/failed-expansions";
 import { STEP } from "../planning/search-replay";
 import { forPlanners } from "../scene/large-scene";
 import { resolve } from "../scene/model";
@@ -11,7 +11,7 @@ import { controls } from "../styles/controls";
 import { icon, marker } from "../styles/icons";
 import { hasField, plannerName } from "../styles/planner-style";
 import { eventLine } from "../texts/search-steps";
-import { say } from "../texts/search-words";
+import { say } from "../texts/search-messages";
 import { drawExplained } from "../view/layers/explained";
 import { drawBreakpoints } from "../view/layers/breakpoints";
 import { drawPoseStep } from "../view/layers/pose-steps";
@@ -61,7 +61,7 @@ export class Debugger extends AppElement {
   opensAt = 0;
   private helper: Helper | null = null;
   private layer: Pick<SearchStepsLayer, "draw"> | null = null;
-  private failures: FailedConnections | null = null;
+  private failures: FailedExpansionIndex | null = null;
   private scene: State["scene"] | null = null;
   private planner: PlannerId | null = null;
   private looks: Partial<State> | null = null;
@@ -176,7 +176,7 @@ export class Debugger extends AppElement {
     replay.nameOf = (obstacle) => obstacleName(this.state, obstacle);
     if (trace.kind === "search") this.layer = new SearchStepsLayer(replay, trace);
     else {
-      const failures = new FailedConnections(trace.tree.failedExpansions);
+      const failures = new FailedExpansionIndex(trace.tree.failedExpansions);
       this.failures = failures;
       this.session.fails = failures.has;
       this.layer = { draw: (frame) => drawPoseStep(frame, replay, failures.at(replay.step), planner) };

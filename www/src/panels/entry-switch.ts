@@ -1,6 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import messages from "../i18n/messages/entry-switch.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { withEntry } from "../scene/goals";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -9,7 +9,7 @@ import { boxesOf, freeSpot, goalOnMap, moved, type Spot } from "./free-spot";
 import { icon } from "../styles/icons";
 import { hostOf } from "./beside";
 
-const say = words("entrySwitch", messages);
+const say = translator("entrySwitch", messages);
 
 /** Beside a goal car that stands in a slot: how it enters, and another way at a press. */
 export class EntrySwitch extends AppElement {

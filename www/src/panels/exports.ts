@@ -19,7 +19,7 @@ export async function saveAs(app: App, kind: ExportKind): Promise<void> {
     const { scene, focus } = app.store.state,
       tail = { svg: ".svg", csv: `-${focus}.csv`, trajectory: `-${focus}-trajectory.csv` }[kind];
     if (blob) download(blob, fileName(scene) + tail);
-    else app.say("warn", "error.noPath");
+    else app.notify("warn", "error.noPath");
   } catch (error) {
     app.refuse("error.export", { reason: refusal(error) });
   }

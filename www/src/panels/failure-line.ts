@@ -1,7 +1,7 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import messages from "../i18n/messages/failure-line.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { below, frameBox, isLong, leastScale, LINE, STRIP } from "../view/camera";
@@ -12,7 +12,7 @@ import { whyOf } from "../texts/failure";
 import { icon } from "../styles/icons";
 import type { SceneView } from "./scene-view";
 
-const say = words("failureLine", messages);
+const say = translator("failureLine", messages);
 
 /** One line under a planner's title: why its answer fails; a click shows the place. */
 export class FailureLine extends AppElement {

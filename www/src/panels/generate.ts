@@ -1,7 +1,7 @@
 import type { Family } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import messages from "../i18n/messages/generate.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scene, State } from "../store";
@@ -11,12 +11,12 @@ import { AppElement } from "./base";
 import { valueOf } from "./inputs";
 import { icon } from "../styles/icons";
 import "./thumbnail";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 import { apart } from "../app/refusals";
 import { reasonIn } from "../i18n/index";
 import type { Said } from "../i18n/said";
 
-const say = words("generate", messages);
+const say = translator("generate", messages);
 
 type Field = "size" | "seed" | "densityPermille" | "blockMin" | "blockMax";
 const FAMILIES = ["random", "regular", "trap"] as const;

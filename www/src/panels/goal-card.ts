@@ -1,5 +1,5 @@
 import { css, html, nothing, type TemplateResult } from "lit";
-import { wordsAt } from "../i18n/words";
+import { translatorAt } from "../i18n/translator";
 import {
   anyFreeSlot,
   anywhereIn,
@@ -22,7 +22,7 @@ import { AppElement } from "./base";
 import { isChecked } from "./inputs";
 import { icon } from "../styles/icons";
 
-const say = wordsAt("goal");
+const say = translatorAt("goal");
 const ENTRIES = ["either", "head-in", "reverse-in"] as const;
 
 /** The kind of goal: one place, or any of several. */

@@ -16,7 +16,7 @@ import { sections } from "../styles/sections";
 import { AppElement } from "./base";
 import { valueOf } from "./inputs";
 import { stopText } from "../texts/ground-limit";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 const FIELDS = { width: ["right", "left"], depth: ["top", "bottom"] } as const satisfies Record<
   string,

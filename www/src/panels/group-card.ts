@@ -1,6 +1,6 @@
 import type { Slot } from "../scene/scenario";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { wordsAt } from "../i18n/words";
+import { translatorAt } from "../i18n/translator";
 import { findSlot, updateSlot, type Scene } from "../scene/model";
 import { turnRows } from "../scene/slot-fit";
 import { idsOf, moveThings } from "../scene/scene-objects";
@@ -13,7 +13,7 @@ import { AppElement } from "./base";
 import { icon } from "../styles/icons";
 import type { On } from "./inputs";
 
-const say = wordsAt("group");
+const say = translatorAt("group");
 
 /** Properties that several selected things share. */
 export class GroupCard extends AppElement {

@@ -2,7 +2,7 @@ import type { Judgement } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { removeTrajectory } from "../app/guest";
 import messages from "../i18n/messages/guest-card.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { icon } from "../styles/icons";
@@ -12,7 +12,7 @@ import { thingName } from "../texts/status";
 import { AppElement } from "./base";
 import { degrees } from "../scene/geometry";
 
-const say = words("guestCard", messages);
+const say = translator("guestCard", messages);
 
 type Row = [key: Parameters<typeof say>[1], value: (verdict: Judgement) => number | boolean, digits?: number];
 const ROWS: readonly Row[] = [

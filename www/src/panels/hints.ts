@@ -2,7 +2,7 @@ import type { PlannerId } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { recall, remember } from "../store/preferences";
 import messages from "../i18n/messages/hints.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import "../i18n/later";
 import type { Box } from "../scene/geometry";
 import type { State } from "../store";
@@ -15,7 +15,7 @@ import { icon } from "../styles/icons";
 import { statusOf } from "../texts/status";
 import { hostOf } from "./beside";
 
-const say = words("hints", messages);
+const say = translator("hints", messages);
 
 const STEPS = ["hint.drag", "hint.wall", "hint.fails"] as const;
 type Step = (typeof STEPS)[number];

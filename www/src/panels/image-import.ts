@@ -1,7 +1,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
 import messages from "../i18n/messages/image-import.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { imageMap, MOST_CELLS, type ImageMap, type ImageOptions, type Pixels } from "../scene/image";
 import { pixelsOf } from "../scene/image-decode";
 import { controls } from "../styles/controls";
@@ -10,7 +10,7 @@ import { vast } from "../view/lazy-large-maps";
 import { DialogElement } from "./dialog";
 import { isChecked, numberOf, type On } from "./inputs";
 
-const say = words("imageImport", messages);
+const say = translator("imageImport", messages);
 
 /** Asks how a picture is to be read, and shows the map that comes of it. */
 export class ImageDialog extends DialogElement {

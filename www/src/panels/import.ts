@@ -4,7 +4,7 @@ import { refusal, sentence } from "../app/app";
 import { isTrajectory, openTrajectory } from "../app/guest";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/import.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { Helper, joined } from "../planning/job-client";
 import { ensureIds } from "../scene/model";
 import type { Scenario } from "../scene/scenario";
@@ -18,12 +18,12 @@ import { numberOf } from "./inputs";
 import { icon, type IconName } from "../styles/icons";
 import { nth } from "../scene/nth";
 import { rootOf } from "./beside";
-import { fieldsOf } from "../scene/keys";
+import { fieldsOf } from "../scene/records";
 import { apart } from "../app/refusals";
 import { refused } from "../i18n/refusal";
 import { rule } from "../i18n/rule";
 
-const say = words("import", messages);
+const say = translator("import", messages);
 
 const IMAGE = /\.(png|jpe?g|webp|gif|bmp)$/i;
 

@@ -52,7 +52,7 @@ export class Inspector extends AppElement {
       <section><parkade-parameters .app=${this.app}></parkade-parameters></section>
       <section><parkade-trajectory .app=${this.app}></parkade-trajectory></section>
       <section><parkade-guest .app=${this.app}></parkade-guest></section>
-      <section><parkade-yardstick .app=${this.app}></parkade-yardstick></section>
+      <section><parkade-any-angle .app=${this.app}></parkade-any-angle></section>
       <section><parkade-road-card .app=${this.app}></parkade-road-card></section>
       <section><parkade-objects .app=${this.app}></parkade-objects></section>`;
   }

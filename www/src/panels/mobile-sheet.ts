@@ -99,7 +99,7 @@ export class Chips extends AppElement {
 }
 
 /** The phone's bottom sheet with three heights, and the row of tools under it; on its side a drawer at the right. */
-export class Sheet extends AppElement {
+export class MobileSheet extends AppElement {
   static override properties = {
     ...AppElement.properties,
     ready: { type: Boolean },
@@ -280,4 +280,4 @@ export class Sheet extends AppElement {
 }
 
 customElements.define("parkade-chips", Chips);
-customElements.define("parkade-sheet", Sheet);
+customElements.define("parkade-sheet", MobileSheet);

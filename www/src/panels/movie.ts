@@ -15,7 +15,7 @@ import { SceneLayers } from "../view/scene-layers";
 import { readTokens, type Tokens } from "../view/tokens";
 import { DialogElement } from "./dialog";
 import { numberOf, type On } from "./inputs";
-import { say } from "./movie-words";
+import { say } from "./movie-messages";
 import { besideOf } from "./beside";
 import { nth } from "../scene/nth";
 import { reasonIn } from "../i18n/index";

@@ -2,10 +2,10 @@ import type { Plan } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { axisOf, coordinateOf, groundOf, outward, SIDES, sizeAlong, type Side } from "../scene/ground";
 import type { Camera, Scene, State } from "../store";
-import { arrowOf } from "../tools/keys";
+import { arrowOf } from "../tools/arrow-keys";
 import { fitMap, worldToScreen } from "../view/camera";
 import { AppElement } from "./base";
-import { say } from "./new-lot-words";
+import { say } from "./new-lot-messages";
 import "./thumbnail";
 import type { On } from "./inputs";
 

@@ -19,11 +19,11 @@ import { DialogElement } from "./dialog";
 import { numberOf, valueOf } from "./inputs";
 import { icon } from "../styles/icons";
 import { BLOCKS, CHOICES, followed, isChoice, UNITS, type Block, type Choice } from "./new-lot-fields";
-import { faultText, say, type Word } from "./new-lot-words";
+import { faultText, say, type Word } from "./new-lot-messages";
 import "./new-lot-preview";
 import type { Resize } from "./new-lot-preview";
 import { besideOf } from "./beside";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 import type { Said } from "../i18n/said";
 
 /** A plan for numbers that are no longer asked is given up after so many milliseconds. */

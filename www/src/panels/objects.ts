@@ -5,7 +5,7 @@ import { css, html, type TemplateResult } from "lit";
 import { takesKey } from "../app/keyboard";
 import { number, translate, type Lang } from "../i18n/index";
 import messages from "../i18n/messages/objects.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { countCells, type Run } from "../scene/cells";
 import { goalPose } from "../scene/model";
 import { idsOf } from "../scene/scene-objects";
@@ -16,7 +16,7 @@ import { AppElement } from "./base";
 import { icon, type IconName } from "../styles/icons";
 import { nth } from "../scene/nth";
 
-const say = words("objects", messages);
+const say = translator("objects", messages);
 
 interface Item {
   key: string;

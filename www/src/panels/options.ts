@@ -1,6 +1,6 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import messages from "../i18n/messages/options.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import "../i18n/later";
 import { sizedShape } from "../scene/slot-fit";
 import { vehicleOf } from "../scene/vehicle";
@@ -17,7 +17,7 @@ const AISLES: Record<ToolOptions["slot"]["kind"], number> = { perpendicular: 6, 
 
 const LANES = ["1+0", "1+1", "2+2"] as const;
 
-const say = words("options", messages);
+const say = translator("options", messages);
 
 /** Options of the active tool: a row above the map, `flat` in a sheet, or the first lines (`form`) of the inspector. */
 export class ToolOptionsBar extends AppElement {

@@ -7,7 +7,7 @@ import { controls } from "../styles/controls";
 import { plannerName } from "../styles/planner-style";
 import { AppElement } from "./base";
 import { marker } from "../styles/icons";
-import { say } from "./papers-words";
+import { say } from "./papers-messages";
 import "./thumbnail";
 
 /** Answers are kept while the page is open; null where there is none. */

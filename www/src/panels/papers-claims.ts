@@ -3,12 +3,12 @@ import type { PaperClaim } from "parkade";
 import { css, html, type TemplateResult } from "lit";
 import { number, templateOf, type Lang } from "../i18n/index";
 import messages from "../i18n/messages/claims.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { icon, type IconName } from "../styles/icons";
 import { foundText } from "../texts/claims";
-import { say } from "./papers-words";
+import { say } from "./papers-messages";
 
-const claimed = words("claim", messages);
+const claimed = translator("claim", messages);
 
 const VERDICT: Record<PaperClaim["holds"], { tone: string; icon: IconName }> = {
   yes: { tone: "", icon: "check" },

@@ -10,7 +10,7 @@ import "./paper-picture";
 import { claimList, claimStyles } from "./papers-claims";
 import { figureName, lineName, papersMarkdown, READINGS, readingOf, SHOWN, titleOf } from "./papers-text";
 import { PapersTab } from "./papers-tab";
-import { say } from "./papers-words";
+import { say } from "./papers-messages";
 import { valueOf } from "./inputs";
 
 const RANGES = [20, 60, 200] as const;

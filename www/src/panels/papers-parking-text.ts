@@ -1,7 +1,7 @@
 /** Columns of the parking paper's tables, and their text. */
 import type { ParkingFigures, ParkingTable } from "parkade";
 import { number, type Lang } from "../i18n/index";
-import { say } from "./papers-parking-words";
+import { say } from "./papers-parking-messages";
 import { nth } from "../scene/nth";
 
 type Line = ParkingTable["lines"][number];

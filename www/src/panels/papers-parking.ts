@@ -16,7 +16,7 @@ import {
   titleOf,
   type Figure,
 } from "./papers-parking-text";
-import { say } from "./papers-parking-words";
+import { say } from "./papers-parking-messages";
 import { Measured, PapersRowsTab } from "./papers-rows-tab";
 
 const measured = new Measured("parking");
@@ -30,9 +30,9 @@ export class PapersParking extends PapersRowsTab<"parking"> {
     PapersRowsTab.styles,
     claimStyles,
     css`
-    .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; }
-    .held.missed { color: var(--parkade-err); }
-    .held svg { width: 12px; height: 12px; }
+    .kept { display: inline-flex; vertical-align: -2px; margin-left: 6px; }
+    .kept.missed { color: var(--parkade-err); }
+    .kept svg { width: 12px; height: 12px; }
     td .chip { margin-right: 6px; } .saved { width: auto; }
   `,
   ];
@@ -140,13 +140,13 @@ export class PapersParking extends PapersRowsTab<"parking"> {
           : nothing
       }${printed ? this.num(printed[at], figure.digits) : "–"}</td>`;
     const reach = reachText(lang, table);
-    const held = html`<span class="held ${table.kept ? "" : "missed"}" role="img" title=${reach}
+    const mark = html`<span class="kept ${table.kept ? "" : "missed"}" role="img" title=${reach}
       aria-label=${reach}>${icon(table.kept ? "check" : "close", 12)}</span>`;
     return html`<tr><th scope="row">${say(lang, figure.key)}</th>${cell(0)}${cell(1)}
       ${table.lines.map(
         (line, at) =>
           html`<td class=${at === 0 ? "first" : at === 1 ? "ours" : ""}>${this.num(line[figure.key], figure.digits)}${
-            at === 1 && figure.key === "exact" ? held : nothing
+            at === 1 && figure.key === "exact" ? mark : nothing
           }</td>`,
       )}</tr>`;
   }

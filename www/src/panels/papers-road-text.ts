@@ -1,7 +1,7 @@
 /** Columns of the road manuscript's tables, and their text. */
 import type { RoadTable } from "parkade";
 import { number, type Lang } from "../i18n/index";
-import { FLAGS, say } from "./papers-road-words";
+import { FLAGS, say } from "./papers-road-messages";
 import { nth } from "../scene/nth";
 
 type Line = RoadTable["lines"][number];

@@ -18,7 +18,7 @@ import {
   titleOf,
   type Figure,
 } from "./papers-road-text";
-import { FLAGS, say } from "./papers-road-words";
+import { FLAGS, say } from "./papers-road-messages";
 import { Measured, PapersRowsTab } from "./papers-rows-tab";
 
 const measured = new Measured("road");
@@ -31,9 +31,9 @@ export class PapersRoad extends PapersRowsTab<"road"> {
     css`
     td small, th small { font-size: inherit; color: var(--parkade-t2); font-weight: 400; margin-left: 6px; }
     small:empty { display: none; }
-    .held { display: inline-flex; vertical-align: -2px; margin-left: 6px; }
-    .held.missed { color: var(--parkade-err); }
-    .held svg { width: 12px; height: 12px; }
+    .kept { display: inline-flex; vertical-align: -2px; margin-left: 6px; }
+    .kept.missed { color: var(--parkade-err); }
+    .kept svg { width: 12px; height: 12px; }
     .flags { margin: 6px 0 0; padding-left: 18px; font-size: 12.5px; line-height: 17px; color: var(--parkade-t2); }
     .flags li { padding: 3px 0; }
     td .chip { margin-right: 0; }
@@ -107,8 +107,8 @@ export class PapersRoad extends PapersRowsTab<"road"> {
       promise = promiseOf(table, figure);
     const was = (value: number | undefined): string =>
       value === undefined ? "–" : this.num(value, Number.isInteger(value) ? 0 : 1);
-    const held = promise
-      ? html`<span class="held ${promise.kept ? "" : "missed"}" role="img" title=${promiseText(lang, figure, promise)}
+    const mark = promise
+      ? html`<span class="kept ${promise.kept ? "" : "missed"}" role="img" title=${promiseText(lang, figure, promise)}
         aria-label=${promiseText(lang, figure, promise)}>${icon(promise.kept ? "check" : "close", 12)}</span>`
       : nothing;
     return html`<tr><th scope="row" title=${figure.tip ? say(lang, figure.tip) : nothing}>${say(lang, figure.key)}</th>
@@ -125,7 +125,7 @@ export class PapersRoad extends PapersRowsTab<"road"> {
         (line, at) =>
           html`<td class=${at === 0 ? "first" : at === 1 ? "ours" : ""}>${cell(lang, figure, line, table)}${
             at > 0 ? html`<small>${changeOf(lang, figure, line, table)}</small>` : nothing
-          }${at === 1 ? held : nothing}</td>`,
+          }${at === 1 ? mark : nothing}</td>`,
       )}</tr>`;
   }
 }

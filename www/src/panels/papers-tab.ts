@@ -6,7 +6,7 @@ import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { icon } from "../styles/icons";
-import { say } from "./papers-words";
+import { say } from "./papers-messages";
 
 /** One paper's tables: measured when first shown, with progress, cancelled when left, copied as text. */
 export abstract class PapersTab<Summary> extends AppElement {

@@ -4,7 +4,7 @@ import { number, type Lang } from "../i18n/index";
 import type { Summary } from "../planning/paper-grid-runs";
 import { plannerName } from "../styles/planner-style";
 import { sentencesOf } from "./papers-claims";
-import { say } from "./papers-words";
+import { say } from "./papers-messages";
 
 /** Our columns that are compared with the printed ones. */
 export const SHOWN = { nodes: "generated", length: "lengthPruned" } as const;

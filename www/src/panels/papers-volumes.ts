@@ -5,14 +5,14 @@
 import type { VolumeComparison } from "parkade";
 import { css, html, svg, type TemplateResult } from "lit";
 import messages from "../i18n/messages/papers-volumes.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { Helper } from "../planning/job-client";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { numberOf } from "./inputs";
 
-const say = words("papersVolumes", messages);
+const say = translator("papersVolumes", messages);
 const POSES = 20_000,
   SCENES = ["P0", "park-fig13", "reverse-in"] as const;
 /** The paper's car: half its length, half its width, metres. */

@@ -3,7 +3,7 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { DialogElement } from "./dialog";
 import type { PapersTab } from "./papers-tab";
-import { say } from "./papers-words";
+import { say } from "./papers-messages";
 import { nth } from "../scene/nth";
 
 type Tab = PapersTab<unknown>;

@@ -2,7 +2,7 @@ import type { ParameterInfo, PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import { isMessage } from "../i18n/index";
 import messages from "../i18n/messages/parameters.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { distancesOf } from "../view/drive";
 import { plannerName } from "../styles/planner-style";
 import type { Scene, State } from "../store";
@@ -18,7 +18,7 @@ import { nth } from "../scene/nth";
 type Settings = Record<string, unknown>;
 
 const DEGREES = 180 / Math.PI;
-const say = words("parameters", messages);
+const say = translator("parameters", messages);
 /** Less than this short of the margin asked for is not said, metres: figures show centimetres. */
 const SHORT = 0.005;
 const UNITS: Record<string, string> = { rad: "°", "1": "" };

@@ -2,7 +2,7 @@
 import type { PlannerId, ScenarioInfo } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import messages from "../i18n/messages/planner-showcases.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 
 interface Case {
   scene: string;
@@ -13,7 +13,7 @@ export interface Cases {
   worst: Case;
 }
 
-const say = words("showcase", messages);
+const say = translator("showcase", messages);
 type Question = Parameters<typeof say>[1];
 
 const one = (scene: string, question: Question): Case => ({ scene, question });

@@ -2,11 +2,11 @@
 import type { Pose } from "parkade";
 import type { App } from "../app/app";
 import messages from "../i18n/messages/pose-entry.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { movePose, resolve } from "../scene/model";
 import type { PoseRequest } from "../view/pose-label";
 
-const say = words("poseEntry", messages);
+const say = translator("poseEntry", messages);
 
 const DEGREES = 180 / Math.PI;
 

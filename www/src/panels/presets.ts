@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import type { Plan, PlannerId, ScenarioInfo } from "parkade";
 import { isMessage } from "../i18n/index";
 import messages from "../i18n/messages/presets.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { Helper } from "../planning/job-client";
 import { emptyResult, FIRST_PLANNERS, type Scene, type State } from "../store";
 import { controls } from "../styles/controls";
@@ -17,7 +17,7 @@ import "./generate";
 import "./thumbnail";
 
 /** Groups whose words the page does not have. */
-const say = words("presets", messages);
+const say = translator("presets", messages);
 const GENERATE = "generate",
   CASE = "cases";
 /** Whose path a card shows. */

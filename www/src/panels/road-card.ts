@@ -1,7 +1,7 @@
 import type { Plan, RoadFigures } from "parkade";
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { refusal } from "../app/app";
-import { wordsAt } from "../i18n/words";
+import { translatorAt } from "../i18n/translator";
 import { RoadMeasures, type Risk } from "../planning/road-measures";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
@@ -14,7 +14,7 @@ import type { Said } from "../i18n/said";
 /** So long nothing has to change before a plan is measured. */
 const QUIET_MS = 350;
 
-const say = wordsAt("roadCard");
+const say = translatorAt("roadCard");
 
 /** Room, bends and lanes along the focused planner's path, and how often it would be hit by chance. */
 export class RoadCard extends AppElement {

@@ -1,7 +1,7 @@
 import type { Pose } from "parkade";
 import type { CostArea, MovingObstacle, Obstacle, Road, Slot } from "../scene/scenario";
 import { css, html, nothing, type TemplateResult } from "lit";
-import { wordsAt } from "../i18n/words";
+import { translatorAt } from "../i18n/translator";
 import {
   findCost,
   findMoving,
@@ -29,7 +29,7 @@ import "./goal-card";
 import "./group-card";
 import { objectName } from "./objects";
 
-const say = wordsAt("selected");
+const say = translatorAt("selected");
 
 const DEGREES = 180 / Math.PI;
 

@@ -11,7 +11,7 @@ import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
 import { DialogElement } from "./dialog";
 import { isChecked, numberOf, valueOf } from "./inputs";
-import { say, today, vehicleText } from "./sheet-words";
+import { say, today, vehicleText } from "./sheet-messages";
 import { wayCsv } from "./way-csv";
 import { besideOf } from "./beside";
 import { reasonIn } from "../i18n/index";

@@ -3,7 +3,7 @@ import { css, html, nothing, type PropertyValues, type TemplateResult } from "li
 import { refusal, sentence } from "../app/app";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/site-plan.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { distance, type Point } from "../scene/geometry";
 import { ensureIds } from "../scene/model";
 import type { Scene } from "../store";
@@ -19,7 +19,7 @@ import "./site-plan-preview";
 import { chosenOf } from "./chosen";
 import type { Said } from "../i18n/said";
 
-const say = words("sitePlan", messages);
+const say = translator("sitePlan", messages);
 
 /** A scene with what there is to say of it. */
 type Made = Omit<SitePlanScene, "scene"> & { scene: Scene };

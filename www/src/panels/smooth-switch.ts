@@ -1,14 +1,14 @@
 import type { PlannerId } from "parkade";
 import { css, html, nothing, type TemplateResult } from "lit";
 import messages from "../i18n/messages/smooth-switch.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { canSmooth, chooseSmooth } from "../planning/smoother";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { AppElement } from "./base";
 import { drivablePlan } from "../texts/status";
 
-const say = words("smooth", messages);
+const say = translator("smooth", messages);
 
 /** Beside a planner's title: whether its path is driven as an optimised trajectory. */
 export class SmoothSwitch extends AppElement {

@@ -1,10 +1,10 @@
 import { css, html, LitElement, type PropertyValues } from "lit";
 import { recall, remember } from "../store/preferences";
 import messages from "../i18n/messages/splitter.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { Lang } from "../i18n/index";
 
-const say = words("splitter", messages);
+const say = translator("splitter", messages);
 
 export type Pane = "side" | "bottom" | "chart";
 /** Pixels: least, usual, most. */

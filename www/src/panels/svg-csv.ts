@@ -7,7 +7,7 @@ import type { State } from "../store";
 import { plannedOf, played } from "../store/results";
 import { makeTokens, type Tokens } from "../view/tokens";
 import { nth } from "../scene/nth";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 /** Each map where it stands in the element, as it is seen. */
 export function svgOf(host: HTMLElement, views: readonly SceneView[], state: State, tokens: Tokens): string {

@@ -2,7 +2,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import type { App } from "../app/app";
 import { LONGEST_TASK, withTask, type Task } from "../app/task-link";
 import messages from "../i18n/messages/task.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { State } from "../store";
 import { controls } from "../styles/controls";
 import { dialogs } from "../styles/dialogs";
@@ -13,7 +13,7 @@ import { DialogElement } from "./dialog";
 import { besideOf, rootOf } from "./beside";
 import { isChecked, valueOf } from "./inputs";
 
-const say = words("task", messages);
+const say = translator("task", messages);
 
 const debuggerIn = (root: ParentNode): Debugger | null => root.querySelector<Debugger>("parkade-debugger");
 
@@ -161,7 +161,7 @@ export class TaskDialog extends DialogElement {
     event.preventDefault();
     await this.app.links.write();
     const href = await this.app.links.address(true);
-    if (!href) this.app.say("warn", "error.longLink");
+    if (!href) this.app.notify("warn", "error.longLink");
     else this.copied = await this.app.copy(withTask(href, this.task));
   };
 }

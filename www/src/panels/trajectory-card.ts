@@ -1,7 +1,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { sentence } from "../app/app";
 import messages from "../i18n/messages/trajectory-card.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { canSmooth, chooseSmooth, isTooLong } from "../planning/smoother";
 import type { Smoothed } from "../store/results";
 import type { State } from "../store";
@@ -12,7 +12,7 @@ import { drivablePlan } from "../texts/status";
 import { AppElement } from "./base";
 import { degrees } from "../scene/geometry";
 
-const say = words("trajectory", messages);
+const say = translator("trajectory", messages);
 
 /** What is said of the stage that answered. */
 const STAGES = { optimised: "optimised", "continuous-curvature": "ramps", "stop-and-steer": "stops" } as const;

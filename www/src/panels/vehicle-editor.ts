@@ -3,7 +3,7 @@ import { css, html, nothing, svg, type TemplateResult } from "lit";
 import { refusal, type App } from "../app/app";
 import { reasonIn } from "../i18n/index";
 import messages from "../i18n/messages/vehicle-editor.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { degrees, radians } from "../scene/geometry";
 import { setVehicle } from "../scene/model";
 import { turningCircles } from "../scene/turning-circles";
@@ -14,7 +14,7 @@ import { DialogElement } from "./dialog";
 import { numberOf, valueOf } from "./inputs";
 import { besideOf } from "./beside";
 
-const say = words("vehicleEditor", messages);
+const say = translator("vehicleEditor", messages);
 
 const FIELDS = ["wheelbase", "frontOverhang", "rearOverhang", "width", "lock"] as const;
 type Form = Record<(typeof FIELDS)[number], number>;

@@ -2,7 +2,7 @@
 import type { Surface } from "../view/surface";
 import { apply, n, Outline, Path2D, scaleOf, times, type Matrix } from "./path";
 import { nth } from "../scene/nth";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 /** A shape, a text or a raster: what is fixed, and the style that a theme can change. `markup` is open at its end. */
 export interface Mark {

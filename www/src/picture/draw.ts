@@ -13,7 +13,7 @@ import { Canvas, escaped, file } from "./canvas";
 import { svgOf } from "./svg";
 
 /** All of it checked. */
-export interface Sheet {
+export interface Picture {
   scene: Scenario;
   geometry: SceneGeometry;
   planners: readonly PlannerInfo[];
@@ -35,9 +35,9 @@ export interface Sheet {
   colours: Readonly<Record<string, string>>;
 }
 
-export const draw = (sheet: Sheet): string => drawOn(file, () => drawn(sheet));
+export const draw = (sheet: Picture): string => drawOn(file, () => drawn(sheet));
 
-function drawn(sheet: Sheet): string {
+function drawn(sheet: Picture): string {
   const { width, height, theme, title, data } = sheet;
   introduce(sheet.planners);
   const state = stateOf(sheet),
@@ -85,7 +85,7 @@ const TITLE = 32,
   PHONE_TIMELINE = 48,
   PHONE = 640;
 
-function roomOf({ element, width }: Sheet): Room {
+function roomOf({ element, width }: Picture): Room {
   const phone = width <= PHONE;
   return {
     above: element?.layout === "single" && !phone ? TITLE : 0,
@@ -95,7 +95,7 @@ function roomOf({ element, width }: Sheet): Room {
 
 function drawBars(
   ctx: ReturnType<Canvas["getContext"]>,
-  { width, height }: Sheet,
+  { width, height }: Picture,
   { above, below }: Room,
   { colour }: Tokens,
 ): void {
@@ -111,7 +111,7 @@ function drawBars(
   }
 }
 
-function stateOf({ scene, geometry, plans, planned, layers, camera }: Sheet): State {
+function stateOf({ scene, geometry, plans, planned, layers, camera }: Picture): State {
   const planners = [...new Set(plans.map((plan) => plan.planner))];
   const focus = planners.includes("hybrid") ? "hybrid" : (planners.at(-1) ?? "hybrid");
   const results = Object.fromEntries(

@@ -4,7 +4,7 @@ import { rule } from "../i18n/rule";
 import { boxOf, type Box, type Point } from "../scene/geometry";
 import { escaped } from "./canvas";
 import { DRAWING_LAYERS, type DrawingLayer, type SiteDrawing } from "./site-drawing";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 /** Landscape, millimetres. */
 export const PAPERS = { A4: [297, 210], A3: [420, 297], A2: [594, 420], A1: [841, 594], A0: [1189, 841] } as const;
@@ -26,7 +26,7 @@ export interface SheetArea {
   text: string;
   isHatched: boolean;
 }
-export interface Sheet {
+export interface ScaleSheet {
   drawing: SiteDrawing;
   shown: ReadonlySet<DrawingLayer>;
   areas: readonly SheetArea[];
@@ -72,7 +72,7 @@ const STYLES: Record<DrawingLayer, readonly [width: number, colour: string, dash
 const FILLED: Partial<Record<DrawingLayer, string>> = { obstacles: "#C9CCD1", parked: "#E6E8EA" };
 
 /** Throws where no paper is large enough. */
-export function sheetSvg(sheet: Sheet): { svg: string; paper: Paper } {
+export function sheetSvg(sheet: ScaleSheet): { svg: string; paper: Paper } {
   const box = boxOfDrawing(sheet.drawing),
     paper = paperFor(box, sheet.scale);
   if (!paper) throw refused(rule`At 1:${sheet.scale} the drawing is larger than A0 paper; choose a smaller scale.`);
@@ -165,7 +165,7 @@ function scaleBar(scale: number, height: number): string {
   return `<g id="scale-bar">${parts.join("")}</g>`;
 }
 
-function legendOf({ legend }: Sheet, width: number, height: number): string {
+function legendOf({ legend }: ScaleSheet, width: number, height: number): string {
   const right = width - EDGE - BLOCK.width - 6;
   return legend
     .map(({ fill, text, isHatched }, i) => {
@@ -191,7 +191,7 @@ function fontSize(text: string, most: number, room: number): string {
   return number(Math.min(most, room / ems));
 }
 
-function titleBlock({ title, rows }: Sheet, width: number, height: number): string {
+function titleBlock({ title, rows }: ScaleSheet, width: number, height: number): string {
   const left = width - EDGE - BLOCK.width,
     top = height - EDGE - BLOCK.height;
   const cells = rows.map(

@@ -1,7 +1,7 @@
 /** Which of a planner's paths are worth a chip. */
 import type { Choice } from "../store/results";
 import type { Drive, Encounter, HybridPlan, Prefer } from "parkade";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 const MOST = 4;
 /** Smaller differences count as equal: a share of the length or the time, and metres of clearance. */

@@ -9,7 +9,7 @@ import type { Driven } from "./choices-of";
 import { chosenOf, isProven } from "./chosen";
 import { Helper } from "./job-client";
 import type { Engine } from "./engine-loader";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 /** A scene rests for so long before more is asked for, where nothing is preferred. */
 const REST_MS = 400;

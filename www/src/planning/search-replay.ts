@@ -1,6 +1,6 @@
 import type { Pose, PoseTrace, SearchTrace } from "parkade";
 import { nth, poseAt } from "../scene/nth";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
 export const STEP = {
   expand: 0,

@@ -11,7 +11,7 @@ import { CallError } from "./calls";
 import { Helper } from "./job-client";
 import type { Line } from "./trajectories";
 import { messageOf } from "../i18n/said";
-import { fieldsOf } from "../scene/keys";
+import { fieldsOf } from "../scene/records";
 
 /** Longer paths stay as they are planned, metres: an optimisation grows with the length. */
 const LONGEST = 150;

@@ -1,10 +1,10 @@
 /** Pictures as the browser decodes them. */
 import type { Lang } from "../i18n";
 import messages from "../i18n/messages/image-decode.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { Pixels } from "./image";
 
-const say = words("imageDecode", messages);
+const say = translator("imageDecode", messages);
 
 const MOST = 8192;
 

@@ -5,7 +5,7 @@ import { ensureIds } from "./model";
 import type { Scenario } from "./scenario";
 import { fitsLink } from "./large-scene";
 import { nth } from "./nth";
-import { isRecord } from "./keys";
+import { isRecord } from "./records";
 import { refused } from "../i18n/refusal";
 import { rule } from "../i18n/rule";
 

@@ -7,7 +7,7 @@ import { layerOf, parsed, projected } from "./read-geojson";
 import { PlanBuilder, SitePlanError } from "./site-plan";
 import { readXml } from "./xml";
 import { nth } from "../scene/nth";
-import { fieldsOf } from "../scene/keys";
+import { fieldsOf } from "../scene/records";
 import { rule } from "../i18n/rule";
 
 type Tags = Record<string, string>;

@@ -1,13 +1,13 @@
 /** Words of the road manuscript's comparison and sensitivity, for the page and for documents. */
 import type { Lang } from "../i18n/index";
 import messages from "../i18n/messages/comparison.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { Chart } from "../picture/small-multiples";
 import type { Compared, ComparedClaim, Sample, Span, Swept } from "../planning/comparison";
 import { MEASURED, SWEPT } from "../planning/comparison";
-import { keysOf } from "../scene/keys";
+import { keysOf } from "../scene/records";
 
-export const say = words("comparison", messages);
+export const say = translator("comparison", messages);
 
 const FOUND = { RRT: "RRTFound", Dijkstra: "DijkstraFound", genetic: "geneticFound" } as const;
 

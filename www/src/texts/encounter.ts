@@ -13,16 +13,16 @@ export function encounterOf({ lang }: State, result: PanelResult | undefined): S
   const drive = played(result)?.drive;
   if (!isEncounter(drive)) return null;
   const waited = drive.waits.reduce((sum, { from, to }) => sum + to - from, 0);
-  if (drive.contact) return say("err", translate(lang, "moving.hit", { s: number(lang, drive.contact.t, 1) }));
-  if (drive.ending !== "arrived" && drive.ending !== "hit") return say("err", translate(lang, LATE[drive.ending]));
+  if (drive.contact) return toned("err", translate(lang, "moving.hit", { s: number(lang, drive.contact.t, 1) }));
+  if (drive.ending !== "arrived" && drive.ending !== "hit") return toned("err", translate(lang, LATE[drive.ending]));
   if (waited === 0) return null;
-  const status = say("warn", translate(lang, "moving.waits", { s: number(lang, waited, 1) })),
+  const status = toned("warn", translate(lang, "moving.waits", { s: number(lang, waited, 1) })),
     least = drive.timesToCollision.reduce((least, time) => Math.min(least, time), Infinity);
   if (least === Infinity) return status;
   return { ...status, title: translate(lang, "moving.nearest", { chip: status.chip, s: number(lang, least, 1) }) };
 }
 
-const say = (tone: Status["tone"], text: string): Status => ({
+const toned = (tone: Status["tone"], text: string): Status => ({
   tone,
   icon: tone === "err" ? "warning" : "clock",
   chip: text,

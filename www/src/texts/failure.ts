@@ -2,14 +2,14 @@
 import "../i18n/later";
 import type { Check, Obstruction, Plan, PlannerId } from "parkade";
 import { isMessage, number, translate } from "../i18n/index";
-import { wordsAt } from "../i18n/words";
+import { translatorAt } from "../i18n/translator";
 import { gapAt } from "../scene/gap";
 import type { State } from "../store";
 import { failureOf, passageOf } from "../view/failure";
 import { drivesCar, plannerName, plansRoads } from "../styles/planner-style";
 import { statusOf, thingName } from "./status";
 
-const say = wordsAt("failure");
+const say = translatorAt("failure");
 
 const DEGREES = 180 / Math.PI;
 

@@ -1,6 +1,6 @@
 import type { Lang } from "../i18n/index";
 import { FATE, STEP, type FateName, type SearchReplay } from "../planning/search-replay";
-import { cost, placeOf, placeOfStep, say, type Key, type Role } from "./search-words";
+import { cost, placeOf, placeOfStep, say, type Key, type Role } from "./search-messages";
 import { nth } from "../scene/nth";
 
 export type Sampling = "tree" | "candidates";

@@ -2,7 +2,7 @@ import type { SearchTrace } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import { SAMPLING_CODE, beginOf, sampleFate, sampleLine, samplingOf } from "./sampling-steps";
 import { FATE, STEP, type FateName, type SearchReplay } from "../planning/search-replay";
-import { cost, placeOfStep, say, targetOf, type Key, type Role } from "./search-words";
+import { cost, placeOfStep, say, targetOf, type Key, type Role } from "./search-messages";
 import { nth } from "../scene/nth";
 
 /** What the last step did, in one sentence; or, of single moves, what the last event did. */

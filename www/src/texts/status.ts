@@ -28,10 +28,10 @@ const NOTHING = { index: -1, obstacle: "" };
 export function statusOf(state: State, planner: PlannerId): Status {
   const result = state.results[planner];
   if (result?.status === "error") {
-    return say(state, { name: "error" }, "err", "warning");
+    return statusFrom(state, { name: "error" }, "err", "warning");
   }
   if (!result?.plan)
-    return say(state, { name: result?.status === "planning" ? "planning" : "waiting" }, "quiet", "clock");
+    return statusFrom(state, { name: result?.status === "planning" ? "planning" : "waiting" }, "quiet", "clock");
   return ofPlan(state, result.plan);
 }
 
@@ -56,11 +56,11 @@ export function drivablePlan(result: PanelResult | undefined): Plan | null {
 }
 
 function ofPlan(state: State, plan: Plan): Status {
-  if (plan.outcome !== "found") return say(state, { name: plan.outcome }, "err", "warning");
+  if (plan.outcome !== "found") return statusFrom(state, { name: plan.outcome }, "err", "warning");
   const { check } = plan;
-  if (check.verdict === "ok") return say(state, { name: "ok" }, "ok", "check");
-  if (check.verdict === "arrives-turned") return say(state, turned(state, check), "warn", "turned");
-  return say(state, check.verdict === "collides" ? hits(state, check) : tight(state, check), "err", "warning");
+  if (check.verdict === "ok") return statusFrom(state, { name: "ok" }, "ok", "check");
+  if (check.verdict === "arrives-turned") return statusFrom(state, turned(state, check), "warn", "turned");
+  return statusFrom(state, check.verdict === "collides" ? hits(state, check) : tight(state, check), "err", "warning");
 }
 
 function turned({ lang }: State, check: Check): Word {
@@ -112,7 +112,7 @@ function tinyOf({ lang }: State, name: string, values?: Values): string | null {
   return isMessage(key) ? translate(lang, key, values) : null;
 }
 
-function say(state: State, { name, values }: Word, tone: Status["tone"], icon: IconName): Status {
+function statusFrom(state: State, { name, values }: Word, tone: Status["tone"], icon: IconName): Status {
   const word = (prefix: string): string => translate(state.lang, `${prefix}.${name}` as MessageKey, values);
   return { tone, icon, chip: word("status"), brief: word("brief"), tiny: tinyOf(state, name, values) ?? word("brief") };
 }

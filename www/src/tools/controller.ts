@@ -5,7 +5,7 @@ import { distance, type Point } from "../scene/geometry";
 import type { Draft } from "../store/draft";
 import { Fingers } from "./fingers";
 import { inputOf, keyedInput, viewOf } from "./input";
-import { arrowOf, stepOf } from "./keys";
+import { arrowOf, stepOf } from "./arrow-keys";
 import type { ToolContext, Input, Tool } from "./tool";
 import { ToolInForce } from "./tool-in-force";
 import { turnOf } from "./wheel";

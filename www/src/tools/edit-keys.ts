@@ -7,7 +7,7 @@ import { radians } from "../scene/geometry";
 import { allIds, copyThings, idsOf, moveThings, selectionOf } from "../scene/scene-objects";
 import { turnThings } from "../scene/turning";
 import type { State, Store } from "../store";
-import { stepOf } from "./keys";
+import { stepOf } from "./arrow-keys";
 
 const RADIUS = { least: 0.1, most: 5, step: 1.25 };
 

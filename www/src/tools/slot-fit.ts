@@ -1,11 +1,11 @@
 /** Says when a slot is too small for the car, and offers the size that fits. */
 import messages from "../i18n/messages/slot-fit.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { findSlot, resolve } from "../scene/model";
 import { fitRows, misfitOf } from "../scene/slot-fit";
 import type { Scene, Store } from "../store";
 
-const say = words("slotFit", messages);
+const say = translator("slotFit", messages);
 
 /** Speaks of the first of these slots that is too small. */
 export function sayMisfit(store: Store, ids: readonly string[]): void {

@@ -16,7 +16,7 @@ const BAND = 128;
 export class Raster {
   readonly taken: Uint8Array;
   private runs: readonly Run[] = [];
-  private readonly sheets = new Map<string, Sheet>();
+  private readonly sheets = new Map<string, RasterLevels>();
   private readonly tiles = new Map<number, Path2D>();
 
   constructor(readonly map: MapFrame) {
@@ -38,7 +38,7 @@ export class Raster {
     this.fill(Math.max(0, Math.min(...rows)), Math.min(this.map.height - 1, Math.max(...rows)));
   }
 
-  sheet(colour: string): Sheet {
+  sheet(colour: string): RasterLevels {
     let sheet = this.sheets.get(colour);
     if (!sheet) {
       sheet = this.blank(colour);
@@ -64,9 +64,9 @@ export class Raster {
     }
   }
 
-  private blank(colour: string): Sheet {
+  private blank(colour: string): RasterLevels {
     if (this.sheets.size > 3) this.sheets.clear();
-    const sheet = new Sheet(this.map.width, this.map.height, colour);
+    const sheet = new RasterLevels(this.map.width, this.map.height, colour);
     this.sheets.set(colour, sheet);
     return sheet;
   }
@@ -140,7 +140,7 @@ export class Raster {
 }
 
 /** A raster in one colour at halving sizes, north at the top. */
-class Sheet {
+class RasterLevels {
   private readonly levels: CanvasRenderingContext2D[] = [];
   private readonly word: number;
 

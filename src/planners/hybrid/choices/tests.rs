@@ -78,7 +78,7 @@ fn lattice<'a>(
     let radius = CART.min_turning_radius();
     let costs = super::super::cost::CostModel::driven(&config, radius, [target, target]).searching(&level);
     let setting =
-        Setting { checker, flood, keys, costs, mirrored: false, watch: None, poses: None, roots: &[] };
+        Setting { checker, flood, keys, costs, mirrored: false, recorder: None, poses: None, roots: &[] };
     StateLattice::new(setting, &CART, &config, level, target, 0.02)
 }
 

@@ -42,7 +42,7 @@ fn moves(gear: i8, room: f64, check: impl Fn(&StateLattice, &[(NodeId, f64, Stat
     let costs = CostModel::driven(&config, car.min_turning_radius(), [pose, target]).searching(&level);
     let (checker, flood, keys) = (&checker, &flood, &keys);
     let setting =
-        Setting { checker, flood, keys, costs, mirrored: false, watch: None, poses: None, roots: &[] };
+        Setting { checker, flood, keys, costs, mirrored: false, recorder: None, poses: None, roots: &[] };
     let lattice = StateLattice::new(setting, car, &config, level, target, 0.0);
     let from = State { pose, motion: Motion { gear, ..Motion::default() }, length: 0.0 };
     let mut moves = Moves(Vec::new());

@@ -55,7 +55,7 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
         }
         let level = config.level(number);
         let level = if refinement > 0 { level.refined(refinement, config) } else { level };
-        attempt((search, floods), (level, number, most), comfortable, worth(work.report), work);
+        attempt((search, floods), (level, number, most), comfortable, changes_to_save(work.report), work);
     }
 }
 
@@ -64,7 +64,7 @@ fn changes(report: &Report) -> u32 {
 }
 
 /// How many gear changes a path with the comfortable margin must save.
-fn worth(report: &Report) -> u32 {
+fn changes_to_save(report: &Report) -> u32 {
     if report.margin > COMFORTABLE_MARGIN { changes(report).div_ceil(SAVED_SHARE) } else { 1 }
 }
 

@@ -1,7 +1,7 @@
 /** A long road laid straight over the map: its length fits the panel, its width is stretched, and says by how much. */
 import type { Plan } from "parkade";
 import messages from "../../i18n/messages/lane-strip.json";
-import { words } from "../../i18n/words";
+import { translator } from "../../i18n/translator";
 import { mapOutline, resolve } from "../../scene/model";
 import { fromPose, intoPose, type Point } from "../../scene/geometry";
 import { cornersOf } from "../../scene/shapes";
@@ -13,7 +13,7 @@ import { inPixels, type Frame, type Shown } from "../frame";
 import { drawPill, pillWidth } from "../text";
 import { plannerStyle } from "../tokens";
 
-const say = words("laneStrip", messages);
+const say = translator("laneStrip", messages);
 
 const HEIGHT = STRIP.height,
   MARGIN = 8,

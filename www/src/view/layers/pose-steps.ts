@@ -1,5 +1,5 @@
 import type { PlannerId, PoseTrace } from "parkade";
-import type { DrivenArc, FailedConnection } from "../../planning/failed-connections";
+import type { DrivenArc, FailedExpansion } from "../../planning/failed-expansions";
 import type { SearchReplay } from "../../planning/search-replay";
 import { drawCar, startStyle } from "../car";
 import { inMetres, inPixels, pixels, toScreen, type Frame } from "../frame";
@@ -15,7 +15,7 @@ const MARK = 1.5;
 export function drawPoseStep(
   frame: Frame,
   replay: SearchReplay,
-  failed: FailedConnection | null,
+  failed: FailedExpansion | null,
   planner: PlannerId,
 ): void {
   const { trace, step, move } = replay;
@@ -94,7 +94,7 @@ function strokeArcs(frame: Frame, arcs: readonly DrivenArc[], style: string, wid
   ctx.setLineDash([]);
 }
 
-function drawFailure(frame: Frame, failed: FailedConnection | null, planner: PlannerId): void {
+function drawFailure(frame: Frame, failed: FailedExpansion | null, planner: PlannerId): void {
   if (!failed) return;
   frame.ctx.lineCap = "round";
   strokeArcs(frame, failed.arcs, plannerStyle(frame.tokens, planner).colour, 2.5, [0.1, 5]);

@@ -13,7 +13,7 @@ export interface DrivenArc {
 }
 
 /** A connection that hits something. */
-export interface FailedConnection {
+export interface FailedExpansion {
   arcs: DrivenArc[];
   /** The car where it hits. */
   hit: Pose;
@@ -23,7 +23,7 @@ export interface FailedConnection {
   length: number;
 }
 
-export class FailedConnections {
+export class FailedExpansionIndex {
   private readonly numbers: ReadonlyMap<number, number>;
 
   constructor(private readonly failed: ArcTrace["failedExpansions"]) {
@@ -32,7 +32,7 @@ export class FailedConnections {
 
   has = (step: number): boolean => this.numbers.has(step);
 
-  at(step: number): FailedConnection | null {
+  at(step: number): FailedExpansion | null {
     const number = this.numbers.get(step),
       { failed } = this;
     if (number === undefined) return null;

@@ -1,10 +1,10 @@
 import type { VehicleSpec } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import messages from "../i18n/messages/site-sheet.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { vehicleOf } from "../scene/vehicle";
 
-export const say = words("siteSheet", messages);
+export const say = translator("siteSheet", messages);
 
 export function vehicleText(lang: Lang, spec: VehicleSpec | undefined): string {
   const car = vehicleOf(spec),

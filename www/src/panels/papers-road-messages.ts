@@ -1,8 +1,8 @@
 import messages from "../i18n/messages/papers-road.json";
-import { words } from "../i18n/words";
-import { rows } from "./papers-rows-words";
+import { translator } from "../i18n/translator";
+import { rows } from "./papers-rows-messages";
 
-export const say = words("papersRoad", messages, rows);
+export const say = translator("papersRoad", messages, rows);
 
 export const FLAGS = [
   "flag0",

@@ -1,11 +1,11 @@
 import type { Pose } from "parkade";
 import { number, type Lang } from "../i18n/index";
 import messages from "../i18n/messages/debugger.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import type { SearchReplay } from "../planning/search-replay";
 import { nth } from "../scene/nth";
 
-export const say = words("debugger", messages);
+export const say = translator("debugger", messages);
 export type Key = Parameters<typeof say>[1];
 
 const DEGREES = 180 / Math.PI;

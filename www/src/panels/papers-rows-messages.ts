@@ -1,5 +1,5 @@
 /** Texts shared by the tables of the parking paper and of the road manuscript. */
 import messages from "../i18n/messages/papers-rows.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 
-export const rows = words("papersRows", messages);
+export const rows = translator("papersRows", messages);

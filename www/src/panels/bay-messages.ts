@@ -1,9 +1,9 @@
 import type { Lang } from "../i18n/index";
 import messages from "../i18n/messages/bay-check.json";
-import { words } from "../i18n/words";
+import { translator } from "../i18n/translator";
 import { UNITS, type BayColumn } from "./bay-rows";
 
-export const say = words("bayCheck", messages);
+export const say = translator("bayCheck", messages);
 
 /** A column's name, with its unit where it has one. */
 export function heading(lang: Lang, column: BayColumn): string {

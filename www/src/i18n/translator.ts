@@ -8,7 +8,7 @@ export type Say<Key extends string> = (lang: Lang, key: Key, values?: Values) =>
 type Named<Key, Prefix extends string> = Key extends `${Prefix}.${infer Name}` ? Name : never;
 
 /** Adds a file of the catalogue, all of whose keys begin with the prefix; what it lacks is asked of `others`. */
-export function words<Prefix extends string, Table extends Messages, Other extends string = never>(
+export function translator<Prefix extends string, Table extends Messages, Other extends string = never>(
   prefix: Prefix,
   table: Table,
   others?: Say<Other>,
@@ -21,7 +21,7 @@ export function words<Prefix extends string, Table extends Messages, Other exten
 }
 
 /** The words of a piece that most visits fetch: they stand with those of others. */
-export const wordsAt =
+export const translatorAt =
   <Prefix extends string>(prefix: Prefix): Say<Named<MessageKey, Prefix>> =>
   (lang, key, values) =>
     textOf(lang, `${prefix}.${key}`, values);

@@ -1,9 +1,9 @@
 /** The words of the form for a new lot. */
 import type { Lang } from "../i18n/index";
-import { wordsAt } from "../i18n/words";
+import { translatorAt } from "../i18n/translator";
 import { LIMITS, type LotFault, type NumberField } from "../scene/lot";
 
-export const say = wordsAt("lot");
+export const say = translatorAt("lot");
 
 export type Word = Parameters<typeof say>[1];
 

@@ -117,7 +117,7 @@ fn rooms(hits: impl Fn(usize) -> bool, exact: impl Fn(usize) -> f64) -> Rooms {
 /// # Examples
 /// ```
 /// use parkade::metrics::Body;
-/// use parkade::metrics::risk::{Options, collision_risk};
+/// use parkade::metrics::random_drives::{Options, collision_risk};
 ///
 /// let geometry = parkade::scenario::catalog::scenario("road-straight").unwrap().geometry().unwrap();
 /// let body = Body::new(&geometry);
