@@ -21,7 +21,6 @@ import { rootOf } from "./beside";
 import { fieldsOf } from "../scene/records";
 import { apart } from "../app/refusals";
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 
 const say = translator("import", messages);
 
@@ -35,7 +34,7 @@ const ENTITIES: Record<string, string> = { amp: "&", lt: "<", gt: ">", quot: '"'
 /** The scene that a drawing of ours carries; the drawing itself is not looked at, nor its styles. */
 async function sceneInside(file: File): Promise<readonly [string, Uint8Array<ArrayBuffer>]> {
   const found = /<metadata\b[^>]*>([^<]*)<\/metadata>/.exec(await file.text())?.[1]?.trim();
-  if (!found) throw refused(rule`this drawing holds no scene; only those saved here do.`);
+  if (!found) throw refused`this drawing holds no scene; only those saved here do.`;
   const text = found.replace(/&(?:#(\d+)|(\w+));/g, (whole, code?: string, name?: string) =>
     code ? String.fromCharCode(Number(code)) : (ENTITIES[name ?? ""] ?? whole),
   );

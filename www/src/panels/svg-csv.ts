@@ -1,6 +1,5 @@
 /** Pictures and tables of a playground as text; the complete module, which must be there, makes them. */
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 import { toCSV, toSVG, toTrajectoryCSV, type Plan } from "parkade";
 import type { SceneView } from "./scene-view";
 import type { State } from "../store";
@@ -60,7 +59,7 @@ export { toSVG };
 /** The focused path as it is driven: its poses with the speeds and times of the drive that plays. */
 export function csvOf(state: State): string {
   const { plan, drive } = played(state.results[state.focus]) ?? {};
-  if (!plan) throw refused(rule`${state.focus} has no plan.`);
+  if (!plan) throw refused`${state.focus} has no plan.`;
   return toCSV(state.scene, plan, drive ?? undefined);
 }
 

@@ -1,6 +1,5 @@
 /** Moving pictures as video, by the browser's own encoder. */
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 import type { Container, Movie } from "./movie-format";
 
 /**
@@ -49,7 +48,7 @@ export async function encodeVideo(
 ): Promise<Blob | null> {
   const { frames, rate, draw } = movie,
     found = await encoding(format, movie);
-  if (!found) throw refused(rule`This browser encodes no such video.`);
+  if (!found) throw refused`This browser encodes no such video.`;
   const muxer = new (await import("./movie-muxer")).Muxer(format);
   await muxer.start(found.name, rate);
   let failure: unknown = null,

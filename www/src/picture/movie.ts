@@ -4,7 +4,6 @@ import { nth } from "../scene/nth";
 import { ColourTable } from "./colour-table";
 import type { Format, Movie } from "./movie-format";
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 
 /** Frames whose colours make the palette of a GIF. */
 const SAMPLED = 5;
@@ -29,7 +28,7 @@ export async function canEncode(format: Format): Promise<boolean> {
 function canvasOf({ width, height }: Movie): [HTMLCanvasElement, CanvasRenderingContext2D] {
   const canvas = Object.assign(document.createElement("canvas"), { width, height });
   const ctx = canvas.getContext("2d", { willReadFrequently: true });
-  if (!ctx) throw refused(rule`This browser gives no 2D canvas.`);
+  if (!ctx) throw refused`This browser gives no 2D canvas.`;
   return [canvas, ctx];
 }
 

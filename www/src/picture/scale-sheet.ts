@@ -1,6 +1,5 @@
 /** A drawing on paper at a true scale: an SVG whose units are millimetres, with scale bar and title block. */
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 import { boxOf, type Box, type Point } from "../scene/geometry";
 import { escaped } from "./canvas";
 import { DRAWING_LAYERS, type DrawingLayer, type SiteDrawing } from "./site-drawing";
@@ -75,7 +74,7 @@ const FILLED: Partial<Record<DrawingLayer, string>> = { obstacles: "#C9CCD1", pa
 export function sheetSvg(sheet: ScaleSheet): { svg: string; paper: Paper } {
   const box = boxOfDrawing(sheet.drawing),
     paper = paperFor(box, sheet.scale);
-  if (!paper) throw refused(rule`At 1:${sheet.scale} the drawing is larger than A0 paper; choose a smaller scale.`);
+  if (!paper) throw refused`At 1:${sheet.scale} the drawing is larger than A0 paper; choose a smaller scale.`;
   const [width, height] = PAPERS[paper],
     [across, up] = sizeOn(box, sheet.scale),
     left = (width - across) / 2,

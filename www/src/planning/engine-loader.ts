@@ -1,6 +1,5 @@
 import type { PlannerId } from "parkade";
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 import { WorkerPool, type PlanWorkers, type WorkerLike } from "./pool";
 import coreUrl from "../../../pkg/core/parkade_bg.wasm?url";
 import completeUrl from "../../../pkg/parkade_bg.wasm?url";
@@ -117,7 +116,7 @@ const beside = (folder: string | null, url: string): string =>
 
 async function compile(url: string): Promise<WebAssembly.Module> {
   const response = await fetch(url);
-  if (!response.ok) throw refused(rule`the server answered ${response.status} for the planners' module.`);
+  if (!response.ok) throw refused`the server answered ${response.status} for the planners' module.`;
   const isWasm = response.headers.get("content-type")?.startsWith("application/wasm") ?? false;
   return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }

@@ -1,6 +1,5 @@
 /** Scenes as files. */
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 import type { GivenScenario, Scenario } from "./scenario";
 
 /** A scene file as people read it: two spaces, a closing newline. */
@@ -19,8 +18,8 @@ export function fileName(scene: Scenario): string {
 
 /** Only the outline of a scene is checked here; the planners check every field. */
 export function checkScene(value: unknown): Scenario {
-  if (!isRecord(value)) throw refused(rule`This is not a scene: an object is expected.`);
-  if (value["version"] !== 1) throw refused(rule`This scene has a version this page does not read; 1 is expected.`);
+  if (!isRecord(value)) throw refused`This is not a scene: an object is expected.`;
+  if (value["version"] !== 1) throw refused`This scene has a version this page does not read; 1 is expected.`;
   const map = value["map"];
   if (
     !isRecord(map) ||
@@ -29,20 +28,19 @@ export function checkScene(value: unknown): Scenario {
     !isNumber(map["height"]) ||
     !isNumber(map["resolution"])
   ) {
-    throw refused(rule`This scene has no map: origin, width, height and resolution are expected.`);
+    throw refused`This scene has no map: origin, width, height and resolution are expected.`;
   }
-  if (!isPose(value["start"])) throw refused(rule`This scene has no start pose: x, y and heading are expected.`);
+  if (!isPose(value["start"])) throw refused`This scene has no start pose: x, y and heading are expected.`;
   const goal = value["goal"];
   if (
     !isPose(goal) &&
     !Array.isArray(goal) &&
     !(isRecord(goal) && ["slot", "slots", "region"].some((key) => key in goal))
   ) {
-    throw refused(rule`This scene has no goal: a pose, a slot, or a set of them is expected.`);
+    throw refused`This scene has no goal: a pose, a slot, or a set of them is expected.`;
   }
   for (const key of ["obstacles", "slots", "costs"]) {
-    if (value[key] !== undefined && !Array.isArray(value[key]))
-      throw refused(rule`This scene's ${key} are not a list.`);
+    if (value[key] !== undefined && !Array.isArray(value[key])) throw refused`This scene's ${key} are not a list.`;
   }
   return value as unknown as Scenario;
 }

@@ -1,6 +1,5 @@
 /** Scenes that come from outside: links, files, messages, storage, other pages. */
 import type { SceneGeometry } from "parkade";
-import { refused } from "../i18n/refusal";
 import type { Run } from "./cells";
 import { ensureIds } from "./model";
 import type { GivenScenario, Scenario } from "./scenario";
@@ -45,7 +44,7 @@ export function bounded<Given extends GivenScenario>(scene: Given): Given {
 
 function limit(path: string, unit: string, count: number, most: number): void {
   if (count <= most) return;
-  throw refused({
+  throw Object.assign(new Error(), {
     path,
     message: `${path}: must be at most ${most} ${unit}, got ${count}`,
     template: `must be at most {} ${unit}, got {}`,

@@ -14,7 +14,6 @@ import type { Point } from "./geometry";
 import type { GivenScenario, Scenario } from "./scenario";
 import { nth } from "./nth";
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 
 type Item = number | string | Item[] | Record<string, unknown> | null;
 
@@ -24,13 +23,12 @@ const metres = (value: Item | undefined): number => number(value) / 100;
 const angle = (value: Item | undefined): number => (number(value) * Math.PI) / 1800;
 
 function number(value: Item | undefined): number {
-  if (typeof value !== "number" || !Number.isFinite(value))
-    throw refused(rule`This link is damaged: a number is missing.`);
+  if (typeof value !== "number" || !Number.isFinite(value)) throw refused`This link is damaged: a number is missing.`;
   return value;
 }
 const pointOf = (x: Item | undefined, y: Item | undefined): Point => [metres(x), metres(y)];
 function list(value: unknown): Item[] {
-  if (!Array.isArray(value)) throw refused(rule`This link is damaged: a list is missing.`);
+  if (!Array.isArray(value)) throw refused`This link is damaged: a list is missing.`;
   return value;
 }
 
@@ -146,7 +144,7 @@ function unpackObstacle(item: Item): Obstacle {
     case "c":
       return { type: "car", ...id, pose: unpackPose(data), ...unpackVehicle(extra) };
     default:
-      throw refused(rule`This link is damaged: an obstacle of an unknown type.`);
+      throw refused`This link is damaged: an obstacle of an unknown type.`;
   }
 }
 
@@ -191,7 +189,7 @@ function packSlot(slot: Slot): Item[] {
 function unpackSlot(item: Item): Slot {
   const [kind, x, y, heading, width, length, occupied, name, lean, side] = list(item);
   const word = KINDS[number(kind)];
-  if (!word) throw refused(rule`This link is damaged: a slot of an unknown kind.`);
+  if (!word) throw refused`This link is damaged: a slot of an unknown kind.`;
   return {
     ...(name ? { id: String(name) } : {}),
     kind: word,
@@ -278,7 +276,7 @@ function unpackGoal(item: Item[], slots: readonly Slot[]): Goal | GoalSet {
   const [first, second, third] = item;
   const idAt = (at: Item | undefined): string => {
     const id = slots[number(at)]?.id;
-    if (id === undefined) throw refused(rule`This link is damaged: its goal slot is missing.`);
+    if (id === undefined) throw refused`This link is damaged: its goal slot is missing.`;
     return id;
   };
   switch (first) {

@@ -7,7 +7,6 @@ import { fitsLink } from "./large-scene";
 import { nth } from "./nth";
 import { isRecord } from "./records";
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 
 const VERSION = "1";
 /** A few kilobytes can inflate to gigabytes; no link's scene needs more than this. */
@@ -21,18 +20,18 @@ export async function encodeScene(scene: Scenario): Promise<string> {
 /** Rejects with a sentence for people where the text is no scene. What follows an `&` is not about the scene. */
 export async function decodeScene(link: string): Promise<Scenario> {
   const text = nth(link.split("&", 1), 0);
-  if (!text.startsWith(VERSION)) throw refused(rule`This link was made by a version this page does not read.`);
+  if (!text.startsWith(VERSION)) throw refused`This link was made by a version this page does not read.`;
   let data: unknown;
   try {
     const bytes = fromBase64Url(text.slice(VERSION.length));
     const plain = await collect(stream(bytes).pipeThrough(new DecompressionStream("deflate-raw")), LARGEST);
     data = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(plain));
   } catch {
-    throw refused(rule`This link is damaged or cut off.`);
+    throw refused`This link is damaged or cut off.`;
   }
-  if (!isRecord(data)) throw refused(rule`This link holds no scene.`);
+  if (!isRecord(data)) throw refused`This link holds no scene.`;
   const scene = checkScene(unpack(data, (bare) => ensureIds(bounded(bare))));
-  if (!fitsLink(scene)) throw refused(rule`This link holds more cells than a link can.`);
+  if (!fitsLink(scene)) throw refused`This link holds more cells than a link can.`;
   return scene;
 }
 

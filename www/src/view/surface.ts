@@ -1,6 +1,5 @@
 /** Surfaces for drawings: the browser's canvases, or the marks of a file. */
 import { refused } from "../i18n/refusal";
-import { rule } from "../i18n/rule";
 
 export interface Surface {
   path(): Path2D;
@@ -19,7 +18,7 @@ export const newCanvas = (width: number, height: number): HTMLCanvasElement => s
 /** What draws on a canvas; an error where the browser has nothing that does. */
 export function context2d(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
   const context = canvas.getContext("2d");
-  if (!context) throw refused(rule`This browser gives no 2D canvas.`);
+  if (!context) throw refused`This browser gives no 2D canvas.`;
   return context;
 }
 export const onScreen = (): boolean => surface === screen;
