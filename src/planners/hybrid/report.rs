@@ -8,8 +8,8 @@ use crate::geometry::arcs::Arc;
 use crate::planners::{Detail, Gap, Obstruction, Outcome};
 use crate::search::SearchStats;
 
-/// How planning ended, with the figures of it. [`outcome`](Self::outcome) and [`detail`](Self::detail) are the words that
-/// all planners share.
+/// How planning ended, with its figures. [`outcome`](Self::outcome) and [`detail`](Self::detail) are the words that all
+/// planners share.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Status {
     /// There is a path, and nothing cheaper was left to try on its level.
