@@ -19,7 +19,7 @@ use serde_json::json;
 use super::{Options, Way, audit};
 use crate::error::Error;
 use crate::geometry::{Pose, math};
-use crate::scenario::{Entry, Goal, Lean, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
+use crate::scenario::{Entry, Lean, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
 use crate::vehicle::library;
 
 /// Bays in a case; the middle one is asked for.
@@ -123,25 +123,20 @@ impl Case {
         let height = aisle + depth;
         let start = Pose::new(vehicle.rear_to_back + 0.5, aisle / 2.0, 0.0);
         Ok(Scenario {
-            version: 1,
-            name: None,
-            map: MapFrame {
-                origin: [0.0, 0.0],
-                width: (floor / CELL).ceil() as u32,
-                height: (height / CELL).ceil() as u32,
-                resolution: CELL,
-                boundary: Some(vec![[0.0, 0.0], [floor, 0.0], [floor, height], [0.0, height]]),
-            },
             obstacles,
             slots,
-            costs: Vec::new(),
-            moving: Vec::new(),
-            lanes: Vec::new(),
-            speed_limits: Vec::new(),
-            vehicle: VehicleSpec::Custom(vehicle),
-            start,
-            goal: Goal::Pose(start),
-            planners: std::collections::BTreeMap::new(),
+            ..Scenario::new(
+                MapFrame {
+                    origin: [0.0, 0.0],
+                    width: (floor / CELL).ceil() as u32,
+                    height: (height / CELL).ceil() as u32,
+                    resolution: CELL,
+                    boundary: Some(vec![[0.0, 0.0], [floor, 0.0], [floor, height], [0.0, height]]),
+                },
+                VehicleSpec::Custom(vehicle),
+                start,
+                start,
+            )
         })
     }
 

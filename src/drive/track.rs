@@ -49,7 +49,7 @@ json::words!(Controller: "feedback" = Feedback, "pure-pursuit" = PurePursuit, "s
 /// How well a car followed.
 ///
 /// Columns have one item per kept row (every 50 ms of motion); the largest errors count every step.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Tracking {
     /// Seconds, one per row.
     pub t: Vec<f64>,
@@ -110,17 +110,7 @@ pub fn track(
     controller: Controller,
 ) -> Result<Tracking, Error> {
     let motion = Motion::new(vehicle, route, limits)?;
-    let mut log = Tracking {
-        t: Vec::new(),
-        poses: Vec::new(),
-        lateral: Vec::new(),
-        steering: Vec::new(),
-        max_lateral: 0.0,
-        max_heading: 0.0,
-        end_distance: 0.0,
-        end_heading: 0.0,
-        hit: None,
-    };
+    let mut log = Tracking::default();
     simulate(vehicle, route, &motion, controller, |car, now| match now {
         Event::Step { t, errors, index, is_last } => {
             log.max_lateral = log.max_lateral.max(errors.lateral.abs());

@@ -4,7 +4,7 @@ use super::file::stem;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose, math};
 use crate::map::{Cell, Frame, Occupancy, distance, raster};
-use crate::scenario::{Goal, MapFrame, Obstacle, Scenario, VehicleSpec};
+use crate::scenario::{MapFrame, Obstacle, Scenario, VehicleSpec};
 
 /// A map of cells as a scene without slots.
 /// The map's first row is the southern one, as in all frames of this crate.
@@ -38,19 +38,9 @@ impl Raster {
         };
         let [start, goal] = poses(&frame, start, goal);
         let scene = Scenario {
-            version: 1,
             name: Some(stem(file).to_owned()),
-            map: self.frame,
             obstacles: vec![Obstacle::Cells { id: None, runs: raster::to_runs(&self.map) }],
-            slots: Vec::new(),
-            costs: Vec::new(),
-            moving: Vec::new(),
-            lanes: Vec::new(),
-            speed_limits: Vec::new(),
-            vehicle: self.vehicle,
-            start,
-            goal: Goal::Pose(goal),
-            planners: std::collections::BTreeMap::new(),
+            ..Scenario::new(self.frame, self.vehicle, start, goal)
         };
         // A file may place its map beyond every scene.
         scene.validate().map_err(|e| e.within(file).with_code(ErrorCode::Import))?;

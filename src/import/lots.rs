@@ -10,14 +10,12 @@
 //! Keys are those of the benchmark's files, with underscores. Fields that are not known are ignored here, unlike in
 //! scenes, because such files carry remarks and results of other programs.
 
-use std::collections::BTreeMap;
-
 use serde::Deserialize;
 use serde_json::Value;
 
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
-use crate::scenario::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
+use crate::scenario::{MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::vehicle::{DEFAULT_STEER_RATE, Vehicle};
 
 /// Side of a map cell on lots that are small enough, metres.
@@ -95,26 +93,21 @@ impl Lot {
         };
         let polygon = |points: &Vec<[f64; 2]>| Obstacle::Polygon { id: None, points: points.clone() };
         let scene = Scenario {
-            version: 1,
             name: Some(if number == 1 { self.id.clone() } else { format!("{}-{number}", self.id) }),
-            map: self.frame(),
             obstacles: self.lines.iter().map(wall).chain(self.polygons.iter().map(polygon)).collect(),
-            slots: Vec::new(),
-            costs: Vec::new(),
-            moving: Vec::new(),
-            lanes: Vec::new(),
-            speed_limits: Vec::new(),
-            vehicle: VehicleSpec::Custom(Vehicle {
-                wheelbase: self.vehicle.wheelbase,
-                width: self.vehicle.width,
-                rear_to_front: self.vehicle.rear_axle_to_front,
-                rear_to_back: self.vehicle.rear_axle_to_rear,
-                max_steer: self.vehicle.max_steer,
-                max_steer_rate: DEFAULT_STEER_RATE,
-            }),
-            start,
-            goal: Goal::Pose(goal),
-            planners: BTreeMap::new(),
+            ..Scenario::new(
+                self.frame(),
+                VehicleSpec::Custom(Vehicle {
+                    wheelbase: self.vehicle.wheelbase,
+                    width: self.vehicle.width,
+                    rear_to_front: self.vehicle.rear_axle_to_front,
+                    rear_to_back: self.vehicle.rear_axle_to_rear,
+                    max_steer: self.vehicle.max_steer,
+                    max_steer_rate: DEFAULT_STEER_RATE,
+                }),
+                start,
+                goal,
+            )
         };
         scene.validate()?;
         Ok(scene)
@@ -144,6 +137,7 @@ impl Lot {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scenario::Goal;
     use serde_json::json;
 
     fn lot() -> Value {

@@ -8,11 +8,9 @@
 //! The format counts on the reader to know how many numbers follow, so a missing or surplus number shifts all that
 //! comes after it. Errors therefore count the numbers from 1, and the last corner must end the file.
 
-use std::collections::BTreeMap;
-
 use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
-use crate::scenario::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
+use crate::scenario::{MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::vehicle::Vehicle;
 
 /// The competition's car (4.69 m × 1.94 m, turns in 3.01 m).
@@ -74,19 +72,9 @@ pub fn scene(name: &str, text: &str) -> Result<Scenario, Error> {
         return bad(message!("must end after {} numbers, the last corner", numbers.read));
     }
     let scene = Scenario {
-        version: 1,
         name: Some(name.to_owned()),
-        map: frame([start, goal]),
         obstacles,
-        slots: Vec::new(),
-        costs: Vec::new(),
-        moving: Vec::new(),
-        lanes: Vec::new(),
-        speed_limits: Vec::new(),
-        vehicle: VehicleSpec::Custom(CAR),
-        start,
-        goal: Goal::Pose(goal),
-        planners: BTreeMap::new(),
+        ..Scenario::new(frame([start, goal]), VehicleSpec::Custom(CAR), start, goal)
     };
     scene.validate()?;
     Ok(scene)

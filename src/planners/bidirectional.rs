@@ -8,7 +8,7 @@ use super::grid_lattice::Grid;
 use super::grid_planner::grid_planner;
 use super::heuristics::{Chosen, Estimate, Heuristic, Octile};
 use super::moves::Neighbourhood;
-use super::parameters::{Form, parameters, spec};
+use super::parameters::{Form, NEIGHBOURS, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
@@ -24,8 +24,7 @@ parameters! {
     pub struct Config {
         /// Which cells a step may lead to.
         neighbours: Neighbourhood = Neighbourhood::Sixteen,
-            spec("neighbours", Form::Choice(&["four", "eight", "sixteen", "twenty-four", "forty-eight"]), "1", true,
-                 ["Neighbours", "邻域"], ["Cells reachable in one step.", "一步可达的栅格。"]);
+            NEIGHBOURS;
         /// When the search stops.
         stop: Stop = Stop::First,
             spec("stop", Form::Choice(&["first", "best", "nba", "naive"]), "1", true,

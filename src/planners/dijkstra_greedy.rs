@@ -10,7 +10,7 @@ use super::grid_lattice::Grid;
 use super::grid_planner::{GridPlanner, Prepared};
 use super::heuristics::{Chosen, Heuristic};
 use super::moves::{Neighbourhood, cost};
-use super::parameters::{Field, Form, parameters, spec};
+use super::parameters::{Field, NEIGHBOURS, parameters};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
@@ -23,8 +23,7 @@ parameters! {
     pub struct Config {
         /// Which cells a step may lead to.
         neighbours: Neighbourhood = Neighbourhood::Eight,
-            spec("neighbours", Form::Choice(&["four", "eight", "sixteen", "twenty-four", "forty-eight"]), "1", true,
-                 ["Neighbours", "邻域"], ["Cells reachable in one step.", "一步可达的栅格。"]);
+            NEIGHBOURS;
     }
     /// The settings that all grid planners share.
     shared common: Common = Common::PLAIN;

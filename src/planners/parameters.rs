@@ -102,6 +102,15 @@ impl ParameterSpec {
     }
 }
 
+/// Which cells a step of a grid search may lead to.
+pub(super) const NEIGHBOURS: ParameterSpec = spec(
+    "neighbours",
+    Form::Choice(&["four", "eight", "sixteen", "twenty-four", "forty-eight"]),
+    "1",
+    true,
+    ["Neighbours", "邻域"],
+    ["Cells reachable in one step.", "一步可达的栅格。"],
+);
 /// Expansions after which a search gives up.
 pub(super) const EXPANSIONS: ParameterSpec = spec(
     "maxExpansions",

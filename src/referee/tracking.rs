@@ -38,17 +38,7 @@ pub fn track(vehicle: &Vehicle, body: &Body, states: &States) -> Tracking {
         moments.push(last);
     }
     let (mut pose, mut angle) = (moments[0].pose, moments[0].steering);
-    let mut log = Tracking {
-        t: Vec::new(),
-        poses: Vec::new(),
-        lateral: Vec::new(),
-        steering: Vec::new(),
-        max_lateral: 0.0,
-        max_heading: 0.0,
-        end_distance: 0.0,
-        end_heading: 0.0,
-        hit: None,
-    };
+    let mut log = Tracking::default();
     for (i, now) in moments.iter().enumerate() {
         let lateral = now.pose.to_local(pose.point()).y;
         let heading = math::turn(now.pose.heading, pose.heading);

@@ -8,7 +8,7 @@
 //! map depends on the order of a hash table or on the machine. A square of two cells at either corner stays free in
 //! all families, so that the car can turn out of it.
 
-use super::{Goal, MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
+use super::{MAX_CELLS, MapFrame, Obstacle, Scenario, VehicleSpec};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Pose, math};
 use crate::json::{self, Fields};
@@ -125,24 +125,13 @@ pub fn occupancy(family: Family, size: u32, seed: u64) -> Result<Occupancy, Erro
 pub fn generate(family: Family, size: u32, seed: u64) -> Result<Scenario, Error> {
     let map = occupancy(family, size, seed)?;
     let end = f64::from(size - 1);
+    // A quarter of a cell inwards, still in the corner cells: room to turn out of the corner.
+    let start = Pose::new(0.25, 0.25, math::PI / 4.0);
+    let goal = Pose::new(end - 0.25, end - 0.25, -3.0 * math::PI / 4.0);
+    let frame = MapFrame { origin: [-0.5, -0.5], width: size, height: size, resolution: 1.0, boundary: None };
     Ok(Scenario {
-        version: 1,
-        name: None,
-        map: MapFrame { origin: [-0.5, -0.5], width: size, height: size, resolution: 1.0, boundary: None },
         obstacles: vec![Obstacle::Cells { id: None, runs: raster::to_runs(&map) }],
-        slots: Vec::new(),
-        costs: Vec::new(),
-        #[cfg(feature = "complete")]
-        moving: Vec::new(),
-        #[cfg(feature = "complete")]
-        lanes: Vec::new(),
-        #[cfg(feature = "complete")]
-        speed_limits: Vec::new(),
-        vehicle: VehicleSpec::Custom(CART),
-        // A quarter of a cell inwards, still in the corner cells: room to turn out of the corner.
-        start: Pose::new(0.25, 0.25, math::PI / 4.0),
-        goal: Goal::Pose(Pose::new(end - 0.25, end - 0.25, -3.0 * math::PI / 4.0)),
-        planners: std::collections::BTreeMap::new(),
+        ..Scenario::new(frame, VehicleSpec::Custom(CART), start, goal)
     })
 }
 

@@ -108,6 +108,30 @@ pub struct Scenario {
     pub planners: BTreeMap<String, serde_json::Map<String, serde_json::Value>>,
 }
 
+impl Scenario {
+    /// A scene of the map and its border alone, with one goal.
+    pub fn new(map: MapFrame, vehicle: VehicleSpec, start: Pose, goal: Pose) -> Self {
+        Self {
+            version: 1,
+            name: None,
+            map,
+            obstacles: Vec::new(),
+            slots: Vec::new(),
+            costs: Vec::new(),
+            #[cfg(feature = "complete")]
+            moving: Vec::new(),
+            #[cfg(feature = "complete")]
+            lanes: Vec::new(),
+            #[cfg(feature = "complete")]
+            speed_limits: Vec::new(),
+            vehicle,
+            start,
+            goal: Goal::Pose(goal),
+            planners: BTreeMap::new(),
+        }
+    }
+}
+
 /// A lattice of square cells. Cell (0, 0) is the south-western one; its lower left corner is at `origin`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]

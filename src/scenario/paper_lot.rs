@@ -8,7 +8,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Goal, MapFrame, Scenario, VehicleSpec};
+use super::{MapFrame, Scenario, VehicleSpec};
 use crate::geometry::Pose;
 use crate::geometry::math::{FRAC_PI_2, PI};
 
@@ -58,24 +58,7 @@ pub(super) fn lot(x0: f64, x1: f64, depth: f64, start: [f64; 3], goal: [f64; 3])
     let risk = serde_json::json!({ "inflation": "width", "minRadius": "vehicle" });
     let mut planners = BTreeMap::new();
     planners.insert("risk-field".to_owned(), risk.as_object().cloned().unwrap_or_default());
-    Scenario {
-        version: 1,
-        name: None,
-        map,
-        obstacles: Vec::new(),
-        slots: Vec::new(),
-        costs: Vec::new(),
-        #[cfg(feature = "complete")]
-        moving: Vec::new(),
-        #[cfg(feature = "complete")]
-        lanes: Vec::new(),
-        #[cfg(feature = "complete")]
-        speed_limits: Vec::new(),
-        vehicle: VehicleSpec::default(),
-        start: pose(start),
-        goal: Goal::Pose(pose(goal)),
-        planners,
-    }
+    Scenario { planners, ..Scenario::new(map, VehicleSpec::default(), pose(start), pose(goal)) }
 }
 
 /// A bay of this width in which the car shall stand with its tail to the wall.

@@ -142,21 +142,12 @@ fn scene(origin: [f64; 2], cells: [u32; 2], boundary: Vec<[f64; 2]>, start: Pose
     let car = Vehicle::SEDAN;
     let behind = -car.middle();
     let [width, height] = cells;
-    Scenario {
-        version: 1,
-        name: None,
-        map: MapFrame { origin, width, height, resolution: RESOLUTION, boundary: Some(boundary) },
-        obstacles: Vec::new(),
-        slots: Vec::new(),
-        costs: Vec::new(),
-        moving: Vec::new(),
-        lanes: Vec::new(),
-        speed_limits: Vec::new(),
-        vehicle: VehicleSpec::Profile("sedan".to_owned()),
-        start: start.advance(0.0, behind),
-        goal: Goal::Pose(goal.advance(0.0, behind)),
-        planners: std::collections::BTreeMap::new(),
-    }
+    Scenario::new(
+        MapFrame { origin, width, height, resolution: RESOLUTION, boundary: Some(boundary) },
+        VehicleSpec::Profile("sedan".to_owned()),
+        start.advance(0.0, behind),
+        goal.advance(0.0, behind),
+    )
 }
 
 /// A lane of lines and arcs: length in metres, curvature in 1/m.

@@ -1,8 +1,6 @@
 //! Random scenes and questions to hybrid A*, by seed: floors near and far from the origin, polygons in both directions,
 //! walls without thickness, cars to park between, start and goal anywhere, headings beyond ±π.
 
-use std::collections::BTreeMap;
-
 use parkade::geometry::{Point, Pose, math};
 use parkade::metrics::Verdict;
 use parkade::plan::{Options, Outcome, Plan, Planner};
@@ -77,25 +75,20 @@ pub(crate) fn scene(seed: u64) -> (Scenario, Map<String, Value>) {
         "firstShot": r.below(5) == 0,
     });
     let mut scenario = Scenario {
-        version: 1,
         name: Some(format!("random_scenes {seed}")),
-        map: MapFrame {
-            origin: [x0, y0],
-            width: (width / 0.25) as u32,
-            height: (height / 0.25) as u32,
-            resolution: 0.25,
-            boundary: None,
-        },
         obstacles,
-        start,
-        goal: Goal::Pose(goal),
-        vehicle: VehicleSpec::Custom(car),
-        slots: Vec::new(),
-        costs: Vec::new(),
-        moving: Vec::new(),
-        lanes: Vec::new(),
-        speed_limits: Vec::new(),
-        planners: BTreeMap::new(),
+        ..Scenario::new(
+            MapFrame {
+                origin: [x0, y0],
+                width: (width / 0.25) as u32,
+                height: (height / 0.25) as u32,
+                resolution: 0.25,
+                boundary: None,
+            },
+            VehicleSpec::Custom(car),
+            start,
+            goal,
+        )
     };
     // Most poses shall be free, not all.
     for _ in 0..6 {

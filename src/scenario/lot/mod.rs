@@ -154,19 +154,13 @@ impl Lot {
         self.validate()?;
         let plan = Plan::new(self);
         let mut scene = Scenario {
-            version: 1,
             name: Some("lot".to_owned()),
-            map: plan.map(),
-            obstacles: Vec::new(),
-            slots: Vec::new(),
-            costs: Vec::new(),
-            moving: Vec::new(),
-            lanes: Vec::new(),
-            speed_limits: Vec::new(),
-            vehicle: VehicleSpec::Profile("sedan".to_owned()),
-            start: plan.entrance(0),
-            goal: Goal::Pose(plan.entrance(0)),
-            planners: std::collections::BTreeMap::new(),
+            ..Scenario::new(
+                plan.map(),
+                VehicleSpec::Profile("sedan".to_owned()),
+                plan.entrance(0),
+                plan.entrance(0),
+            )
         };
         for row in 0..self.rows {
             plan.fill(row, &mut scene);
