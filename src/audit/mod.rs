@@ -169,6 +169,8 @@ struct Asker {
 }
 
 impl Asker {
+    /// Prepares a site for one vehicle. Entrances are poses of the scene's own car; a vehicle with a longer tail starts
+    /// farther ahead by the difference, so that all tails stand in the same place.
     fn new(scene: &Scenario, vehicle: &AuditVehicle, settings: &Map<String, Value>) -> Result<Self, Error> {
         let own = scene.vehicle.resolve().map_err(|e| e.within("vehicle"))?;
         let mut scene = scene.clone();

@@ -37,6 +37,8 @@ struct Ramp {
 }
 
 impl Ramp {
+    /// The ramp from one speed to another, by the formulas at the head of this file: `edge` is the time of each outer
+    /// phase, `flat` that of the middle one.
     fn new(from: f64, to: f64, limits: &Limits, jerk: f64) -> Self {
         let change = (to - from).abs();
         let (most, jerk) =

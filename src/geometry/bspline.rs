@@ -227,6 +227,7 @@ struct System {
 }
 
 impl System {
+    /// The normal equations of the points alone. Rows overlap in four control points, so the matrix is a band.
     fn new(points: &[Point], rows: &[(usize, [f64; 4])], weights: &[f64], n: usize) -> Self {
         let mut system = Self { band: vec![[0.0; 4]; n], right: vec![Vector::zeros(); n] };
         for ((point, (first, values)), &weight) in points.iter().zip(rows).zip(weights) {

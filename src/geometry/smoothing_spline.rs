@@ -77,6 +77,9 @@ struct Interval {
 }
 
 impl Fit<'_> {
+    /// Dierckx's two stages. Knots are added until the least-squares spline is close enough: as many at a time as the
+    /// last gain promises, at least half as many as before and at most twice. Then the jumps at the knots are smoothed
+    /// up to the bound.
     fn spline(mut self) -> Spline {
         let count = self.points.len();
         let mut intervals = vec![Interval { sum: 0.0, inside: count - 2 }];
@@ -124,6 +127,8 @@ impl Fit<'_> {
         self.at.iter().map(|&u| knots.bases(count, u)).collect()
     }
 
+    /// The least-squares spline over the present knots: one Givens rotation per point and basis function, so no normal
+    /// equations are formed, whose condition would be the square. O(points + knots).
     fn least_squares(&self) -> Solved {
         let count = self.knots.len() + 4;
         let (mut band, mut right) = (vec![[0.0; 5]; count], vec![Vector::zeros(); count]);

@@ -1,4 +1,8 @@
 //! A map of cells, and how it becomes a scene.
+//!
+//! Files of other programs have cells but seldom a question, so one is made up: from the first to the last cell, row
+//! by row, of the largest room. Rooms are preferred in which the car can stand in every direction; where there is
+//! none, any free cells will do. Both poses look along the straight line from one to the other.
 
 use super::file::stem;
 use crate::error::{Error, ErrorCode};

@@ -86,6 +86,8 @@ struct Envelope {
 }
 
 impl Envelope {
+    /// Makes the envelope of parabolas whose positions increase (Felzenszwalb, Huttenlocher 2012). Each is added once
+    /// and removed at most once: O(n).
     fn build(&mut self, parabolas: impl Iterator<Item = (i64, i64)>) {
         self.parabolas.clear();
         for (p, v) in parabolas.filter(|&(_, v)| v < NONE) {

@@ -1,5 +1,12 @@
 //! Bitmaps for jump point search: the cells at which straight jumps stop, read 64 at a time, and the directions in
 //! which jumps lead anywhere.
+//!
+//! A straight jump ends at the first cell that is blocked or stands beside the end of a wall. Along a row these cells
+//! are bits, so the next stop is found by counting zeros: 64 cells for one instruction. Columns have bits of their
+//! own, because a jump north would otherwise read a word for each cell; going back has others than going on, because
+//! a wall ends for only one of the two. That is four bits a cell.
+//!
+//! An edit renews the bits of nine cells; directions along its row and column follow as far as they change.
 
 use super::jump_directions::Ways;
 use super::{Cell, Occupancy};

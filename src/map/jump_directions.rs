@@ -43,6 +43,8 @@ const fn local(free: u8) -> (u8, u8) {
 }
 
 impl Ways {
+    /// The directions of all cells. A straight direction may be passed on by the cell ahead, so cells are looked at in
+    /// two sweeps, from either end of the map: each direction has its next cell before it in one of them.
     pub(super) fn new(map: &Occupancy) -> Self {
         let (width, height) = (map.width() as usize, map.height() as usize);
         let stride = width + 2;

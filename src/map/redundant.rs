@@ -2,6 +2,14 @@
 //!
 //! Passages too narrow for a block of cells, and pockets with a single mouth, are closed; what start and goal need is
 //! given back. It is a soft measure: such cells are free for collision and clearance.
+//!
+//! Three steps, each linear in the cells but the last:
+//!
+//! 1. a cell that no free square of `min_passage` cells covers is narrow (a morphological opening);
+//! 2. of the rest, a connected part that no square of `trap_mouth` cells covers, and that touches the open part in
+//!    one place at most, is a pocket;
+//! 3. where start and goal are now apart, the cheapest way that opens the fewest closed cells is found, and the parts
+//!    that it crosses are given back. O(n·log n).
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -104,6 +112,7 @@ struct Counts {
 }
 
 impl Counts {
+    /// Sums over all rectangles from the map's corner (Crow 1984), so that any rectangle takes four look-ups.
     fn new(map: &Occupancy, property: impl Fn(Cell) -> bool) -> Self {
         let stride = map.width() as usize + 1;
         let mut sums = vec![0; stride * (map.height() as usize + 1)];

@@ -132,6 +132,7 @@ pub fn check(geometry: &Geometry, body: &Body, path: &[Pose], directions: &[i8],
     check
 }
 
+/// The verdict on no path: nothing hit and nothing driven.
 fn empty() -> Check {
     Check {
         verdict: Verdict::None,
@@ -175,6 +176,7 @@ struct Motion {
 }
 
 impl Motion {
+    /// Adds a step: length along its arc, turn, and shift ahead and aside in the frame of its middle heading.
     fn add(&mut self, a: Pose, b: Pose, gear: i8) {
         let turn = math::turn(a.heading, b.heading);
         self.length += arc_between(a, b, 1).1;

@@ -219,6 +219,8 @@ struct Normal {
 }
 
 impl Normal {
+    /// A normally distributed number by Box and Muller (1958), which makes two at a time: the second is kept. The half
+    /// bit keeps the logarithm's argument above 0.
     fn next(&mut self) -> f64 {
         if let Some(spare) = self.spare.take() {
             return spare;

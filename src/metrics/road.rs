@@ -116,6 +116,7 @@ pub(super) struct Line {
 }
 
 impl Line {
+    /// The line of the car's middle along a path of the rear axle, sampled at equal steps of about [`STEP`] metres.
     pub(super) fn new(geometry: &Geometry, path: &[Pose]) -> Self {
         let lever = geometry.vehicle.middle();
         let middles: Vec<Point> = path.iter().map(|pose| pose.advance(0.0, lever).point()).collect();

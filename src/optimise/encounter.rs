@@ -115,6 +115,8 @@ struct Drive<'a> {
 }
 
 impl<'a> Drive<'a> {
+    /// Samples the trajectory where the car rests and at equal distances, and keeps the body's outline at each
+    /// sample: only times change from then on.
     fn new(vehicle: &Vehicle, states: &'a States, movers: &'a [Mover], options: &'a WaitOptions) -> Self {
         let path = PathInTime::new(states, vehicle.wheelbase);
         let mut samples: Vec<usize> = Vec::new();

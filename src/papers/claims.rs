@@ -1,4 +1,11 @@
 //! The papers' claims, judged on our rows.
+//!
+//! A claim is a sentence of a paper that figures can decide, say "the improved A* generates 54 % fewer nodes". Its
+//! verdict is `yes`, `partly` or `no` by a rule that is written down here, and `unknown` while a row that it needs is
+//! missing. A claim over several rows holds in part if some of them keep it.
+//!
+//! Figures are given by name, without sentences: the page and the documentation make those, in English and Chinese.
+//! Counted work decides, never a clock; times are told beside it.
 
 use std::collections::BTreeMap;
 

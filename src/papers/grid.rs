@@ -153,6 +153,8 @@ pub fn measure(row: &Row, from: u64, to: u64, clock: &mut dyn FnMut() -> f64) ->
     Ok(figures)
 }
 
+/// Runs a planner of the tables from corner to corner of a map. Names beyond the registry's are the variants that the
+/// papers compare: another estimate, or the weight that grows with the distance.
 fn run(planner: &str, map: &Occupancy, scratch: &mut GridScratch) -> GridReport {
     use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
     // As planners on scenes are called: a search for `()` would be the same code a second time.
@@ -357,6 +359,8 @@ pub fn summary(row: &Row, figures: &[f64]) -> Result<Table, Error> {
     })
 }
 
+/// A figure's ratio to another one, map by map, as median, 95th percentile and worst, beside the ratio of the printed
+/// values.
 fn ratio(row: &Row, figures: &[f64], [figure, planner, over_figure, over]: [&'static str; 4]) -> Ratio {
     let (above, below) = (column(figures, planner, figure), column(figures, over, over_figure));
     // A straight path has no turns, and a clock that stands still no time: nothing to compare.

@@ -53,6 +53,7 @@ impl NaiveStop {
         })
     }
 
+    /// Plans one map with the literal stop and with the one that is proven the cheapest.
     fn add(&mut self, row: &Row, seed: u64, scratch: &mut GridScratch) -> Result<(), Error> {
         let map = occupancy(row.family, row.size, seed)?;
         let end = map.width() as i32 - 1;

@@ -1,5 +1,9 @@
 //! Claims of the parking paper and of the road manuscript, each judged by figures on our rows. No verdict depends on
 //! a clock.
+//!
+//! The tables come back as JSON, because a page measures their rows in several workers and joins them; so each number
+//! is read by its path, and one that is missing or no number is refused by name. All rows of a paper must be there
+//! before any of its claims is judged: a claim over four rows says nothing about three.
 
 use serde_json::Value;
 

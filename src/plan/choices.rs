@@ -197,6 +197,7 @@ struct Figures {
 }
 
 impl Figures {
+    /// The figures by which paths are compared; what a plan lacks counts as the worst.
     fn of(plan: &Plan) -> Self {
         let hybrid = plan.metrics.hybrid.as_ref();
         Self {

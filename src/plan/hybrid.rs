@@ -1,4 +1,17 @@
-//! Hybrid A* in a scene.
+//! Hybrid A* in a scene: obstacles in, a checked path of arcs out.
+//!
+//! The engine prepares the exact obstacles once; floods around them are kept in the scratch memory from plan to plan.
+//! A plan takes these steps:
+//!
+//! 1. the portfolio of searches answers a chain of arcs, or why there is none ([`Report`]);
+//! 2. the arcs are sampled every 0.1 m at most, with gear and curvature;
+//! 3. the independent check moves the real body along them. If it finds a hit the path is withdrawn, and the plan
+//!    says `verification-failed`: the checker has the last word;
+//! 4. outcome, reason, figures and the search tree are written into the plan.
+//!
+//! The complete module goes on from there, each part only where the question asks for it: the last path is kept while
+//! a goal is dragged (`stay_with_last`), further paths are searched and the best by the asked measure is chosen
+//! (`choose`), and of several goals the one that was reached becomes the world's.
 
 use std::sync::Arc;
 

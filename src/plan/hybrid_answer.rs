@@ -11,14 +11,20 @@ use crate::scenario::resolve::Geometry;
 /// Speed of the parking paper's driving times, m/s.
 const PAPER_SPEED: f64 = 2.0;
 
+/// The sentence for people where there is no path: what is in the way, by its name, or how far the search came. The
+/// page says the same in its own words from outcome, detail and obstruction; this text is for programs and the command.
 pub(super) fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) -> Option<String> {
     let name = |owner| scenario.name_of(geometry.owner(owner));
     let near =
         report.closest.map_or_else(String::new, |p| format!(" The search came to ({:.2}, {:.2}).", p.x, p.y));
     Some(match report.status {
         Status::Found | Status::Suboptimal => return None,
-        Status::StartInCollision(owner) => format!("The start touches {}. Move either one.", name(owner)),
-        Status::GoalInCollision(owner) => format!("The goal touches {}. Move either one.", name(owner)),
+        Status::StartInCollision(owner) => {
+            format!("The car overlaps {} at the start. Move one of them.", name(owner))
+        }
+        Status::GoalInCollision(owner) => {
+            format!("The car overlaps {} at the goal. Move one of them.", name(owner))
+        }
         Status::Unreachable => {
             "No way through: some gap on every way is narrower than the car with its margin.".to_owned()
         }
@@ -67,6 +73,7 @@ pub(super) fn stats(report: &Report) -> Stats {
     }
 }
 
+/// The figures that only hybrid A* has; those of every path are measured on the sampled poses.
 pub(super) fn metrics(report: &Report) -> HybridMetrics {
     let length = arcs::length(&report.arcs);
     let steps: f64 = report.arcs.iter().map(|a| (a.length.abs() / 0.1).round()).sum();

@@ -160,6 +160,8 @@ impl Planner {
         Ok(Self::of_parts(kind, scenario, world, engine))
     }
 
+    /// A planner of a world that is prepared. The scene's own ends are kept apart, because a plan may ask between
+    /// others.
     #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
     #[cfg_attr(feature = "complete", inline(never))]
     fn of_parts(kind: PlannerId, scenario: &Scenario, mut world: World, engine: Box<dyn Engine>) -> Self {

@@ -313,6 +313,7 @@ impl Plan {
         format!("{}-{}", self.answer_hash().hex(), self.figures_hash().hex())
     }
 
+    /// Of the answer itself: planner, outcome, verdict, poses and gears.
     fn answer_hash(&self) -> Fnv {
         let mut hash = Fnv::new();
         for word in [self.planner, self.outcome.as_str(), self.check.verdict.as_str()] {
@@ -323,6 +324,7 @@ impl Plan {
         hash
     }
 
+    /// Of everything that describes the answer: clearances, raw path, counters and metrics.
     fn figures_hash(&self) -> Fnv {
         let mut hash = Fnv::new();
         hash.add_numbers(self.check.clearances.iter().copied());

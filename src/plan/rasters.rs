@@ -32,6 +32,7 @@ struct Extra {
 }
 
 impl Rasters {
+    /// The rasters of a planner's settings that do not depend on the ends; redundant space does, and waits for them.
     pub(super) fn new(world: &World, settings: &Common) -> Self {
         let vehicle = &world.geometry.vehicle;
         let radius = settings

@@ -273,6 +273,8 @@ impl Curve<'_> {
         self.candidate_at(spline, lateral, ENDS)
     }
 
+    /// Drives the towed car along a spline and measures the room that it keeps, the heading in which it arrives, and
+    /// the cost of its metres by the lateral costs.
     fn candidate_at(&self, spline: Spline, lateral: &Lateral, ends: f64) -> (Candidate, Vec<(Point, f64)>) {
         let places = along(&spline, ROOMS * self.how.scale);
         let (rooms, last) = self.rooms(&places);

@@ -44,6 +44,7 @@ pub struct TangentArc {
 }
 
 impl Stages {
+    /// The stages in metres. A corner is sharp if the path turns there and no arc rounds it.
     pub(super) fn new(frame: &Frame, pruned: &[Cell], shortest: &[Cell], smoothed: &Smoothed) -> Self {
         let pair = |p: Point| [p.x, p.y];
         let points = |cells: &[Cell]| cells.iter().map(|&c| pair(frame.center(c))).collect();

@@ -1,6 +1,9 @@
 //! Theta*: eight neighbours, but a cell may hang on its parent's parent when that sees it (Nash et al. 2007).
 //!
 //! Costs are straight distances in `f64` cells. Paths are short and turn rarely; they are not always the shortest.
+//!
+//! A line of sight is asked for each move, which is most of the work: O(length) each, under the same rule for corners
+//! as single steps.
 
 use std::cell::Cell as Counter;
 

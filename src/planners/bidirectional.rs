@@ -73,6 +73,9 @@ pub fn plan<O: Observer<i64, ()>>(
     report
 }
 
+/// The search with one stopping rule. Cells with weights wrap the lattice; its estimate stays that of plain cells,
+/// which is below every cost because weights are at least 1. Eight neighbours have an estimate of their own, compiled
+/// in.
 fn stopped<O: Observer<i64, ()>>(
     query: Query,
     config: &Config,

@@ -121,6 +121,9 @@ pub fn record(query: Query, config: &Config, limit: usize) -> Recording {
     out.counted(report.stats)
 }
 
+/// Breeds candidates until the budget is spent. A candidate is a list of turning points; a full population is sorted by
+/// fitness, and its best are the first of the next. `tell` is given each candidate that is judged. The seed decides
+/// everything that is drawn.
 fn evolve<O: Observer<i64, ()>>(
     query: Query,
     config: &Config,
@@ -246,6 +249,8 @@ impl Evolution<'_> {
         (self.query.map.width().max(self.query.map.height()) / 2).max(1) as i32
     }
 
+    /// A candidate's fitness, less is better: the cost of its legs, and for each blocked leg a price that grows with
+    /// the blocked cells, so that nearly free candidates are bred on.
     fn judged(&mut self, genes: Vec<Cell>) -> Candidate {
         let (mut fitness, mut is_free) = (0, true);
         for leg in legs(&self.query, &genes).windows(2) {
@@ -272,6 +277,8 @@ impl Evolution<'_> {
         (0..=steps).filter(|&k| self.query.map.blocked(at(k))).count() as i64
     }
 
+    /// The best candidate's turning points as the path; no path where even the best one has a blocked leg. The search
+    /// never proves that there is none, so it ends with a spent budget then.
     fn report(&self, best: Option<&Candidate>, expanded: u32) -> GridReport {
         let found = best.filter(|candidate| candidate.is_free);
         let outcome = if found.is_some() { Outcome::Found } else { Outcome::BudgetSpent };

@@ -106,6 +106,8 @@ impl Config {
         self.validate()
     }
 
+    /// An estimate above the true cost would make the path longer than the cheapest one without a word, so it is
+    /// refused.
     fn check_heuristic(&self, neighbourhood: Neighbourhood) -> Result<(), Error> {
         if !self.heuristic.is_admissible(neighbourhood) {
             let names = HEURISTICS.iter().filter(|h| h.is_admissible(neighbourhood)).map(|h| h.as_str());

@@ -74,6 +74,8 @@ pub(super) struct Grid<'a, E> {
 }
 
 impl<'a, E: Estimate> Grid<'a, E> {
+    /// The lattice of a query's map. Offsets and masks of all moves are computed once: they depend on the map's width
+    /// and the rule for corners, not on the node.
     pub(super) fn new(query: &Query<'a>, neighbourhood: Neighbourhood, corner: Corner, estimate: E) -> Self {
         let moves = neighbourhood.moves();
         let width = query.map.width() as i32;
@@ -117,6 +119,9 @@ impl<'a, E: Estimate> Grid<'a, E> {
         self.los_calls.get()
     }
 
+    /// Offers the moves of a node, eight single steps at once: one byte each for what is free, what is not known to be
+    /// useless, what improves its target and what the rule for corners allows. Their conjunction is usually empty or
+    /// has one bit.
     #[inline]
     fn offer<S: EdgeSink>(&self, node: NodeId, last: Option<u32>, back: bool, sink: &mut S) {
         // The search from the goal takes steps against their direction.
@@ -153,6 +158,8 @@ impl<'a, E: Estimate> Grid<'a, E> {
         self.los_calls.set(self.los_calls.get() + calls);
     }
 
+    /// Offers the moves beyond the eight single steps, and returns how many improve their target. A move is legal if
+    /// the cells around the node that block have none in common with those that it needs: one comparison of masks.
     fn offer_long<S: EdgeSink>(&self, node: NodeId, back: bool, sink: &mut S) -> u32 {
         let cell = self.map.cell(node);
         let window = self.map.window(cell);
@@ -248,6 +255,8 @@ static UNSEEN: [[u8; 256]; 8] = onward(false);
 /// The same, without the steps that are [`longer`].
 static SHORTEST: [[u8; 256]; 8] = onward(true);
 
+/// For each direction of the last step and each byte of free cells the steps worth a look, as drawn at the head of this
+/// file. It is computed by the compiler.
 const fn onward(is_shortest: bool) -> [[u8; 256]; 8] {
     let mut table = [[0; 256]; 8];
     let mut direction = 0;

@@ -135,6 +135,9 @@ impl Jumps<'_> {
         }
     }
 
+    /// Jumps diagonally from a cell. At each cell on the way the two straight jumps beside it are looked at. With
+    /// pruning what they find is a successor itself, at the cost of both parts, and the jump goes on; without, it ends
+    /// at the cell in between.
     fn diagonal<S: EdgeSink>(&self, from: Cell, direction: u32, sink: &mut S) {
         let goal = self.query.goal;
         let (dx, dy) = DIRECTIONS[direction as usize % 8];

@@ -1,4 +1,12 @@
 //! Moves between cells: the neighbourhoods, and the single steps that the corner rules allow.
+//!
+//! Neighbourhoods of 16, 24 and 48 moves add longer steps to the eight around a cell, and with them angles: knight's
+//! moves 26.6°, the 7 × 7 square 18.4° and 33.7° as well. A longer step is legal only if every cell that its line
+//! crosses is free. Costs are straight distances in millionths of a cell, whole numbers, so that paths of equal
+//! length are equal exactly.
+//!
+//! Directions count from east, counter-clockwise: 0 east, 2 north, 4 west, 6 south. Even ones are straight, so masks
+//! of bits tell them apart.
 
 use crate::json;
 use crate::map::Corner;
@@ -107,6 +115,7 @@ pub const fn legal_steps(free: u8, corner: Corner) -> u8 {
 pub(super) static LEGAL: [[u8; 256]; 3] =
     [legal_by_free(Corner::Strict), legal_by_free(Corner::NoSqueeze), legal_by_free(Corner::Free)];
 
+/// For each byte of free cells around a cell the legal steps, one bit each; made by the compiler.
 const fn legal_by_free(corner: Corner) -> [u8; 256] {
     let mut table = [0; 256];
     let mut free = 0;

@@ -1,4 +1,20 @@
 //! The planners' parameters: a parameter is declared once, with its field, default, range, unit and words for people.
+//!
+//! `parameters!` makes of such a table the settings' struct, its defaults, the reading and writing of JSON, and the
+//! list that the registry hands out. From that list follow the checks of ranges, the types of the npm package
+//! (`settings.d.ts`), the page's inspector and the tables of the documentation. To add a parameter is to add one
+//! entry:
+//!
+//! ```text
+//! /// Extra metres accepted to avoid one gear change.          for readers of the crate
+//! direction_change_cost: f64 = 1.0,                            field and default
+//!     spec("directionChangeCost", Form::Number(0.0, 10.0, 0.5), "m", true,   JSON name, slider, unit, shown at once
+//!          ["Gear-change cost", "换挡代价"], ["…", "…"])        title and effect, in English and Chinese
+//!         .within(0.0, 1000.0);                                values that are accepted, where the slider is narrower
+//! ```
+//!
+//! A setting that several planners share is a struct of its own, laid in by `shared`; a planner may leave one of its
+//! fields out by name.
 
 use serde_json::{Map, Value};
 
@@ -87,6 +103,7 @@ impl ParameterSpec {
         }
     }
 
+    /// Names the parameter, its range and the value where the value is outside, or one that this module does not have.
     fn check(&self, value: &dyn Setting) -> Result<(), Error> {
         let (Some((min, max)), Some(number)) = (self.range, value.number()) else { return Ok(()) };
         let bad = |rule| {

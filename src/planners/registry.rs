@@ -2,6 +2,13 @@
 //!
 //! A planner is one row here: what it is called, what it knows, and its settings at their defaults, which say how it
 //! is run. Titles and effects are in English and Chinese, for forms and documentation.
+//!
+//! Everything else that lists planners reads these rows: [`planners`] for JavaScript, the page and the documentation,
+//! [`default_config`] for forms, the tests that run every planner on every scene. Two ids may share a search and
+//! differ in their defaults only, as `risk-field` and `risk-field-plus` do. Rows under `complete` are not in the
+//! small module, which is why its list is shorter and nothing else of it has to know.
+//!
+//! A row's order is that of menus; ids are part of share links and never change.
 
 use serde_json::{Map, Value};
 
@@ -229,6 +236,7 @@ pub fn planners() -> Vec<Info> {
     ROWS.iter().map(|row| info(PlannerId(row))).collect()
 }
 
+/// What JavaScript is told of a row.
 fn info(planner: PlannerId) -> Info {
     let PlannerId(&Row { id, title: [en, zh], paper, takes_costs, .. }) = planner;
     Info {

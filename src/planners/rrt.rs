@@ -148,6 +148,8 @@ struct Draw {
     fate: Fate,
 }
 
+/// Grows the tree draw by draw until the goal is in it or the budget is spent. Each draw takes the nearest cell of the
+/// tree, O(n) for n cells, and goes a step towards the drawn one; `tell` is given the tree and the draw.
 fn grow<O: Observer<i64, ()>>(
     query: Query,
     config: &Config,
@@ -219,6 +221,8 @@ fn leg(from: Cell, towards: Cell, step: f64) -> Cell {
     from.offset(part(dx), part(dy))
 }
 
+/// The tree's path with its cost, and the counters: every cell of the tree counts as generated, pushed and held,
+/// because the tree never lets one go.
 fn report(query: &Query, tree: &Tree, outcome: Outcome, [expanded, los_calls]: [u32; 2]) -> GridReport {
     let found = outcome == Outcome::Found;
     let size = tree.cells.len();

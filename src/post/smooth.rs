@@ -133,6 +133,8 @@ struct Bend {
 }
 
 impl Turn {
+    /// The kind of corner between two segments. Below 1e-9 rad it is no corner; within 1e-3 rad of a half turn no arc
+    /// rounds it.
     fn at(before: [f64; 2], corner: [f64; 2], after: [f64; 2]) -> Self {
         let (back, forth) = (unit(corner, before), unit(corner, after));
         let cross = back[0] * forth[1] - back[1] * forth[0];

@@ -63,6 +63,7 @@ pub struct SpeedLimit {
 }
 
 impl Lane {
+    /// Reads a lane: where it begins, its pieces and its width.
     fn read(value: &Value) -> Result<Self, Error> {
         let f = Fields::of(value, &["id", "start", "pieces", "width"])?;
         let piece = |value: &Value| {
@@ -78,6 +79,7 @@ impl Lane {
         })
     }
 
+    /// Pieces must be long, few and bent no tighter than 10 per metre, and no arc may turn farther than a full circle.
     pub(super) fn validate(&self) -> Result<(), Error> {
         finite_pose(self.start).map_err(|e| e.within("start"))?;
         positive("width", self.width)?;

@@ -96,6 +96,8 @@ impl VehicleSpec {
 }
 
 impl MapFrame {
+    /// Sides, resolution and outline of the map. Corners of the outline may lie outside by a rounding of their
+    /// coordinates.
     fn validate(&self) -> Result<(), Error> {
         point("origin", self.origin)?;
         for (name, cells) in [("width", self.width), ("height", self.height)] {
@@ -125,6 +127,8 @@ impl MapFrame {
 }
 
 impl Obstacle {
+    /// Shapes and sizes; a car's dimensions and a road's line have rules of their own. Obstacles may lie outside the
+    /// map.
     pub(crate) fn validate(&self, map: &MapFrame) -> Result<(), Error> {
         match self {
             Self::Cells { runs, .. } => on_map(runs, map),

@@ -1,4 +1,9 @@
 //! A graph to search, defined by its moves.
+//!
+//! A domain answers four questions and keeps no account of the search: which moves leave a node, how far the target
+//! is at least, whether a path may be completed from here, and in which order equal entries are taken. Costs must not
+//! be negative, and the estimate must be consistent, h(a) ≤ cost(a, b) + h(b), for the first path taken to be the
+//! cheapest; nodes are not reopened.
 
 use super::cost::{Cost, NodeId};
 use super::open_list::Order;

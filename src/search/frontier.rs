@@ -242,6 +242,8 @@ impl<L: Lattice, O: Observer<i64, ()>, const SIDES: usize, const TURN: usize> Ed
         self.limit(cost) < self.records[self.place(target)][TURN]
     }
 
+    /// The eight bits without a branch: a record is one number whose order is closed < better < candidate < stale, so
+    /// that one comparison decides for each neighbour.
     #[inline]
     fn improves_around(&self, node: NodeId, row: usize, straight: i64, diagonal: i64) -> u32 {
         let (straight, diagonal) = (self.limit(straight), self.limit(diagonal));

@@ -55,6 +55,8 @@ impl<C: Cost> Entry<C> {
         }
     }
 
+    /// The total order of entries: f first. `Newest` then takes the smaller h and the later push, which dives towards
+    /// the goal; `Oldest` the earlier push, which goes round by round. Tickets differ, so no two entries are equal.
     fn before(&self, other: &Self, order: Order) -> bool {
         if self.f != other.f {
             return self.f < other.f;
@@ -270,6 +272,7 @@ impl<C: Cost> OpenList<C> {
         sort(&mut self.stack, &mut self.spare, order);
     }
 
+    /// Moves the last entry of the heap up to its place: O(log n).
     fn sift_up(&mut self, order: Order) {
         let mut hole = self.heap.len() - 1;
         let entry = self.heap[hole];

@@ -308,6 +308,9 @@ pub fn record_deferring<L: Considered + Deferring>(
     one_way(lattice, Some(lattice), ends, max_expansions, limit)
 }
 
+/// The search from one end: entries are taken by f, h and recency from a heap, and each opens a step whose moves follow
+/// it. Moves that a node defers come at once or with a second entry, as its [`Deferral`] says. O(E·log E) for E
+/// entries.
 fn one_way(
     lattice: &dyn Asked,
     later: Option<&dyn AskedLater>,
@@ -386,6 +389,7 @@ fn defer(
     }
 }
 
+/// Adds the sides' counters to the recording; the open lists' largest sizes are summed.
 pub(super) fn count(mut out: Recording, sides: &[RecordedSide]) -> Recording {
     for side in sides {
         out.stats.generated += side.generated;

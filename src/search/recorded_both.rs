@@ -28,6 +28,7 @@ pub fn record_bidirectional<L: Considered + Reversible>(
     both_ways(lattice, ends, stop, max_expansions, limit)
 }
 
+/// The search from both ends with its events: the sides take turns until the stopping rule ends it.
 fn both_ways(
     lattice: &dyn AskedBothWays,
     (start, goal): (NodeId, NodeId),

@@ -63,6 +63,7 @@ struct Notes<L> {
 }
 
 impl<L> Notes<L> {
+    /// Notes of a search with one root a side, before its first step.
     fn new(roots: &[NodeId], order: Order, limit: usize) -> Self {
         let recording = Recording { oldest_first: order == Order::Oldest, ..Recording::default() };
         let out = Labelled { recording, labels: Vec::new() };

@@ -1,5 +1,13 @@
 //! The searches as one writes them down, with open lists that are looked through: what the fast ones do is the same,
 //! down to the last counter.
+//!
+//! The packed searches owe their speed to things that can go wrong silently: 64-bit records, buckets, generation
+//! stamps, eight comparisons at once. Here is none of that. The graph is a torus of 144 nodes whose moves cost
+//! differently in each direction, so that a search from the goal that charges the wrong one is noticed; costs are
+//! drawn so that ties are either frequent or rare, and some edges are missing.
+//!
+//! Compared are the end, the cost, the nodes of the path and all counters, for one side and for every stopping rule
+//! of both.
 
 use std::cmp::Reverse;
 use std::marker::PhantomData;
@@ -187,6 +195,8 @@ fn count<E>(found: &mut Found, sides: &[Plain]) {
     found.stats.bytes = (sides.len() * NODES * 8 + found.stats.open_peak as usize * size_of::<E>()) as u64;
 }
 
+/// A search from one end whose open list is a vector that is looked through for its best entry: O(n²), and hard to get
+/// wrong.
 fn plain_one_way<E>(graph: &Directed<E>, (start, goal): (NodeId, NodeId)) -> Found {
     let mut found = Found::nothing(start);
     let mut nearest = graph.estimate(0, start);
@@ -282,6 +292,8 @@ fn searches_do_what_plain_ones_do() {
     compare::<WideEntry>();
 }
 
+/// Random graphs, one with many ties, one with few, one with missing edges: the packed searches must answer, count and
+/// break ties as the plain ones do. Random numbers are a linear congruence, so that a failure comes back.
 fn compare<E: Entry>() {
     let mut state = 5_u64;
     let mut random = move |n: u64| {

@@ -125,6 +125,7 @@ const FIELDS: &[&str] = &[
     "source",
 ];
 
+/// Reads a vehicle of the table. Figures that its source does not state are left out there.
 fn read(value: &Value) -> Result<LibraryVehicle, Error> {
     let f = Fields::of(value, FIELDS)?;
     let title = |value: &Value| {

@@ -189,7 +189,10 @@ fn goals_that_nothing_can_meet_are_blocked_for_a_reason() {
     let (outcome, reason) =
         why(json!([{ "x": 38, "y": 3, "heading": 0 }, { "x": 99, "y": 3, "heading": 0 }]));
     assert_eq!(outcome, Outcome::GoalBlocked);
-    assert_eq!(reason, "No path to any goal. At (38.00, 3.00): The goal touches kerb. Move either one.");
+    assert_eq!(
+        reason,
+        "No path to any goal. At (38.00, 3.00): The car overlaps kerb at the goal. Move one of them."
+    );
     for info in planners() {
         let plan = planned(
             info.id,

@@ -1,4 +1,8 @@
 //! A word: its segments, and what follows from them.
+//!
+//! A word is up to five arcs and straight lines, at full lock or straight, in either gear. Nine shapes are enough:
+//! all other words are these driven backwards in time (every gear turned round), mirrored (left for right), or both.
+//! Lengths are in radii, that is radians on an arc, with the gear as their sign.
 
 use crate::geometry::arcs::Arc;
 
@@ -29,6 +33,7 @@ pub(super) enum Shape {
 }
 
 impl Shape {
+    /// The shape's arcs as left, straight and right, padded to five, and how many count.
     const fn turns(self) -> ([Turn; 5], usize) {
         match self {
             Self::Lsl => ([L, S, L, S, S], 3),
@@ -56,6 +61,8 @@ pub struct Word {
 }
 
 impl Word {
+    /// A word of a shape's signed lengths. `flip` drives the mirror image in time, with every gear the other one;
+    /// `reflect` the mirror image in space, with left and right exchanged.
     pub(super) fn new(shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]) -> Self {
         let (turns, count) = shape.turns();
         Self {

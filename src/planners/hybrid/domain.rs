@@ -115,6 +115,9 @@ pub(super) struct Setting<'a> {
 }
 
 impl<'a> StateLattice<'a> {
+    /// The lattice of one level. Keys of the search before are forgotten, because their bins depend on the level;
+    /// primitives are listed once, with steering angles δ from lock to lock and curvatures tan(δ)/wheelbase, gear ahead
+    /// first.
     pub(super) fn new(
         setting: Setting<'a>,
         vehicle: &Vehicle,
@@ -182,6 +185,8 @@ impl<'a> StateLattice<'a> {
         self.keys.borrow_mut().id(self.key(pose, gear))
     }
 
+    /// The key of a pose's cell, as drawn at the head of this file. Where the body has room while shuffling, bins are
+    /// coarser, and a bit of the key says so: the same place has then another key than with finer bins.
     fn key(&self, pose: Pose, gear: i8) -> u64 {
         let clear_by = self.level.shuffle && self.checker.clear_by(pose, SHUFFLE_CLEARANCE);
         let (xy, yaw) = if clear_by { SHUFFLE_BINS } else { (self.level.xy, self.level.yaw) };

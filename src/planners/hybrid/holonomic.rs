@@ -91,6 +91,9 @@ struct Boxes<'a> {
 }
 
 impl<'a> Boxes<'a> {
+    /// Boxes of so many metres about a root. Headings are as many as keep the body's corners within a box's side from
+    /// one to the next; the margin is what the body may be too large by, so that a box is closed only if no pose in
+    /// it is free.
     fn new(
         (checker, vehicle): (&'a CollisionChecker<'a>, &Vehicle),
         flood: &'a ObstacleHeuristic,

@@ -1,4 +1,9 @@
 //! The answer of hybrid A\*.
+//!
+//! [`Status`] is finer than the outcome of other planners, because a car can fail in more ways than a point: it may
+//! touch something where it stands, have no gap wide enough, no room to turn, or no manoeuvre within the budget. Each
+//! carries the figure that a person needs. [`Report`] has the path as arcs and what the search did; it knows nothing
+//! of poses in time, clearances or words.
 
 use super::analytic_expansion::FailedExpansions;
 #[cfg(feature = "complete")]

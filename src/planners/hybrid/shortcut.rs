@@ -91,6 +91,8 @@ struct Pass<'a> {
 }
 
 impl<'a> Pass<'a> {
+    /// A pass over a path's knots. Pairs are limited by [`MAX_PAIRS`], so a path of many knots is looked at less far
+    /// ahead.
     fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>) -> Self {
         let reach = MAX_PAIRS / knots.len().max(1);
         let sampling = Sampling::new(rules.spacing, rules.margin, rules.costs.radius);

@@ -1,4 +1,8 @@
 //! Settings of risk-field A*.
+//!
+//! Two sets of defaults are named: the paper's ([`Config::PAPER`], the planner `risk-field`) and this crate's
+//! ([`Config::PLUS`], `risk-field-plus`). Where the paper's formulas can be read in two ways, both are choices here,
+//! and the meant one is the default.
 
 use crate::json;
 use crate::map::risk::{Attraction, FieldSettings, ObstacleSet, PotentialField};

@@ -1,4 +1,20 @@
 //! The members' turns: who searches next, how much, and what follows from how a search ended.
+//!
+//! A member is a level of the lattice with a margin and an end to grow from. Nobody knows beforehand which one solves
+//! a scene, so all search in turn. In round r member k gets 4^(r − k) times the first slice: the most promising
+//! members are far ahead, and none is more than a few times dearer than if it had been asked alone. Slices are
+//! counted in expansions, so every machine takes the same turns.
+//!
+//! A turn ends in one of four ways:
+//!
+//! 1. *found*: members go on only if they may keep more margin or, where there are many gear changes, save some;
+//! 2. *exhausted*: coarser members and those with more margin would reach no more and are dropped;
+//! 3. *spent*: the member waits for its next, larger slice;
+//! 4. *lost*: its work proves nothing, and it is dropped; the answer can no longer be a proof.
+//!
+//! Where the levels find nothing, members for open space follow in two stages, unless a search over all motions of
+//! the body shows that it cannot get through at all. The state is a stage, a list of members and a budget; `rounds`
+//! is the loop.
 
 use core::cell::OnceCell;
 
