@@ -176,6 +176,24 @@ mod tests {
         }
     }
 
+    /// Outer front wheel and outer front corner turn about one centre, on the rear axle's line.
+    #[test]
+    fn the_circles_of_kerb_and_wall_agree_with_each_other() {
+        for entry in all() {
+            let vehicle = entry.vehicle();
+            let beside = |radius: f64, ahead: f64| (radius * radius - ahead * ahead).sqrt();
+            let of_kerb = |radius| beside(radius, vehicle.wheelbase);
+            let of_wall = |radius| beside(radius, vehicle.rear_to_front);
+            let off = of_kerb(vehicle.kerb_radius()) - of_wall(vehicle.wall_radius());
+            assert!(off.abs() < 1e-9, "{}: {off}", entry.id);
+            // What a source states of one circle gives the other's within the rounding of both.
+            let stated = entry.kerb_radius.map(of_kerb).or(entry.wall_radius.map(of_wall));
+            let inner = stated.map_or(0.0, |outer| outer - vehicle.width);
+            assert!(inner > 0.0, "{}: no room inside the circle", entry.id);
+            assert!((inner + vehicle.width / 2.0 - vehicle.min_turning_radius()).abs() < 0.2, "{}", entry.id);
+        }
+    }
+
     #[test]
     fn every_vehicle_has_an_id_of_its_own_and_a_source() {
         for (i, entry) in all().iter().enumerate() {
