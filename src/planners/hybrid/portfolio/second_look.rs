@@ -6,8 +6,9 @@
 //! cheaper by that price than the known path is left out, so that the search soon ends where there is nothing to gain.
 //!
 //! Margin costs gear changes, too: with 10 cm a car may rock ten times where 3 cm let it in with four. So a path with
-//! many changes gives up margin, down to what is comfortable, where that saves several of them. One that keeps no more
-//! than that is held against the same searches: what one lattice misses the next one finds.
+//! many changes gives up margin, down to what is comfortable, where that saves several of them; one with few does where
+//! the coarsest lattice finds a way with hardly any. One that keeps no more than that is held against the same searches:
+//! what one lattice misses the next one finds.
 
 use super::floods::Floods;
 use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, MANY_CHANGES};
@@ -19,16 +20,21 @@ use crate::planners::hybrid::report::{Report, Status};
 
 /// Weight of the estimate.
 const WEIGHT: f64 = 2.0;
-/// Expansions of the fine search: as many as the path took, but so many at least and at most.
+/// Expansions of the fine search: as many as the path took, but so many at least and at most …
 const EXPANSIONS: [u32; 2] = [FIRST_SLICE, 50_000];
+/// … and not more than the second number where the path has no more gear changes than the first: what saves one of
+/// these is found soon or not at all.
+const SOON: (u32, u32) = (8, 10_000);
 /// The level that is refined for it, and which of the refined lattices it takes: the one with the smallest cells.
 const LEVEL: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
 /// The searches with the margin that is comfortable: the level, how much finer its lattice is (0: not at all), and
 /// the expansions.
 const COMFORTABLE: [(u32, usize, u32); 6] =
     [(0, 0, 5000), (1, 0, 20_000), (2, 0, 20_000), (3, 0, 20_000), (4, 0, 5000), (4, 1, 5000)];
-/// Less margin must save one of so many gear changes.
+/// Less margin must save one of so many gear changes, …
 const SAVED_SHARE: u32 = 3;
+/// … and so many where there are few: more than that nobody would drive for the margin.
+const SAVED_OF_FEW: u32 = 3;
 /// On a coarse lattice a path may cost so many times what is left of it after the shortcut.
 const BEFORE_SHORTCUT: f64 = 1.6;
 /// Lattices with larger cells are coarse, metres.
@@ -43,6 +49,7 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     }
     let (number, refinement) = LEVEL;
     let [least, most] = EXPANSIONS;
+    let most = if changes(work.report) <= SOON.0 { SOON.1 } else { most };
     let level = config.level(number).refined(refinement, config);
     let most = work.report.stats.expanded.clamp(least, most);
     let Some(margin) = floods.margins.iter().position(|&margin| margin == work.report.margin) else { return };
@@ -50,7 +57,7 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     let comfortable = floods.margins.iter().position(|&margin| margin == COMFORTABLE_MARGIN);
     let Some(comfortable) = comfortable.filter(|&comfortable| comfortable >= margin) else { return };
     for (number, refinement, most) in COMFORTABLE {
-        if changes(work.report) <= MANY_CHANGES {
+        if changes(work.report) <= MANY_CHANGES && number > 0 {
             return;
         }
         let level = config.level(number);
@@ -65,7 +72,11 @@ fn changes(report: &Report) -> u32 {
 
 /// How many gear changes a path with the comfortable margin must save.
 fn changes_to_save(report: &Report) -> u32 {
-    if report.margin > COMFORTABLE_MARGIN { changes(report).div_ceil(SAVED_SHARE) } else { 1 }
+    match changes(report) {
+        _ if report.margin <= COMFORTABLE_MARGIN => 1,
+        few if few <= MANY_CHANGES => SAVED_OF_FEW,
+        many => many.div_ceil(SAVED_SHARE),
+    }
 }
 
 /// Takes the path of one more search, if it costs less and saves so many gear changes.
