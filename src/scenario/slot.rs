@@ -222,7 +222,10 @@ mod tests {
             let sine = math::sin_cos(1.0).0;
             assert!((ahead(&slot) - (long_enough - length) / 2.0 * sine).abs() < 1e-9, "{length}");
         }
-        assert!((slot(SlotKind::Perpendicular).overhang(&car) - (car.length() - 5.0).max(0.0) / 2.0).abs() < 1e-12);
+        assert!(
+            (slot(SlotKind::Perpendicular).overhang(&car) - (car.length() - 5.0).max(0.0) / 2.0).abs()
+                < 1e-12
+        );
     }
 
     #[test]

@@ -48,8 +48,7 @@ const SHUFFLE_CLEARANCE: f64 = 0.1;
 const SHUFFLE_BINS: (f64, f64) = (0.5, math::PI / 36.0);
 /// Collision checks that a word may take on average …
 const CHECKS_PER_WORD: u32 = 1000;
-/// … when so many have been spent: what is longer, in a world of which nothing is known between two checks, is not
-/// tried.
+/// … once so many have been spent: past this, words that need more are skipped.
 const FREE_CHECKS: u32 = 1_000_000;
 /// Moves while shuffling are at least this long, metres.
 const MIN_SHUFFLE_MOVE: f64 = 0.01;

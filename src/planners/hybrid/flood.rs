@@ -18,7 +18,7 @@ use crate::vehicle::collision::Obstacles;
 pub(super) const STRAIGHT: u32 = 5;
 const DIAGONAL: u32 = 7;
 pub(super) const UNREACHED: u32 = u32::MAX;
-/// Places where the disc has less room than this on either side are narrow, metres: a car meets them hardly ever, …
+/// Places where the disc has less room than this on either side are narrow, metres: a car can rarely use them, …
 const NARROW_CLEARANCE: f64 = 0.05;
 /// … so a way through them counts this often.
 const NARROW_FACTOR: u32 = 2;

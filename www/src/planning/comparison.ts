@@ -44,7 +44,7 @@ export interface Compared {
   turning: Span | null;
   /** Metres between the body and the nearest obstacle where it is least. */
   clearance: Span | null;
-  /** Of 1000 drives beside the path by chance, those that collide; of the first path. */
+  /** Of 1,000 simulated drives with random offsets, those that collide; of the first path. */
   hits: number | null;
   expanded: Span;
 }
