@@ -7,7 +7,7 @@ import { bayCsv, bayLines } from "../../www/src/panels/bay-rows";
 import { ensureIds } from "../../www/src/scene/model";
 import type { Scenario } from "../../www/src/scene/scenario";
 import { buildLot, firstForm } from "../../www/src/scene/lot";
-import { changesBetween } from "../../www/src/scene/scene-changes";
+import { changesBetween, distanceTo } from "../../www/src/scene/scene-changes";
 import { createStore, type Store } from "../../www/src/store";
 import { bestRow, countBays, gradeOf, type BayCheck } from "../../www/src/store/bay-check";
 const scenario = (id: string) => ensureIds(given(id));
@@ -97,6 +97,13 @@ describe("a check of all bays", () => {
     const after = await settled(store);
     expect(inOrder(after)).toEqual(whole(moved));
     expect(new Set(asked.slice(0, stale.size))).toEqual(stale);
+    // Those by the column come before those that are only passed by.
+    const { boxes } = changesBetween(scene, moved);
+    const far = asked.slice(0, stale.size).map((bay) => {
+      const { x, y } = scene.slots![bay]!;
+      return Math.min(...boxes.map((box) => distanceTo([x, y], box)));
+    });
+    expect(far).toEqual(far.toSorted((a, b) => a - b));
     // Each bay is asked once, or for one entry first and for the other one later.
     expect([...new Set(asked)].sort((a, b) => a - b)).toEqual(scene.slots!.map((_, i) => i));
     expect(asked.length).toBeLessThanOrEqual(scene.slots!.length + stale.size);

@@ -1,5 +1,5 @@
 import type { AuditRow } from "parkade";
-import { changesBetween, isNear, sweepsNear, type SceneChanges } from "../scene/scene-changes";
+import { changesBetween, distanceTo, isNear, sweepsNear, type SceneChanges } from "../scene/scene-changes";
 import type { Scenario } from "../scene/scenario";
 import { vehicleOf } from "../scene/vehicle";
 import type { Store } from "../store";
@@ -101,7 +101,8 @@ export class BayChecker {
       if (entries.length > 0) first.push({ bay, entries });
       if (others.length > 0) then.push({ bay, entries: others });
     }
-    this.begin([...first, ...then], new Map(first.map(({ bay, entries }) => [bay, entries])));
+    const stale = new Map(first.map(({ bay, entries }) => [bay, entries]));
+    this.begin([...this.nearestFirst(first, changes), ...then], stale);
   }
 
   stop(): void {
@@ -109,6 +110,16 @@ export class BayChecker {
     clearTimeout(this.timer);
     for (const { worker } of this.workers) worker.stop();
     this.workers.length = 0;
+  }
+
+  /** Those next to what changed, where people look, before those that are only passed by on the way. */
+  private nearestFirst(questions: readonly Question[], { boxes }: SceneChanges): Question[] {
+    const farOf = ({ bay }: Question): number => {
+      const { x, y } = nth(this.scene.slots!, bay);
+      return Math.min(...boxes.map((box) => distanceTo([x, y], box)));
+    };
+    const far = new Map(questions.map((question) => [question, farOf(question)]));
+    return [...questions].sort((a, b) => far.get(a)! - far.get(b)! || a.bay - b.bay);
   }
 
   private all(): number[] {

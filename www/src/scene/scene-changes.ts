@@ -101,8 +101,10 @@ export function sweepsNear(poses: ArrayLike<number>, vehicle: Vehicle, boxes: re
   return false;
 }
 
-export const isNear = (place: Point, { minX, minY, maxX, maxY }: Box, reach: number): boolean =>
-  distance(place, [Math.min(Math.max(place[0], minX), maxX), Math.min(Math.max(place[1], minY), maxY)]) <= reach;
+export const distanceTo = (place: Point, { minX, minY, maxX, maxY }: Box): number =>
+  distance(place, [Math.min(Math.max(place[0], minX), maxX), Math.min(Math.max(place[1], minY), maxY)]);
+
+export const isNear = (place: Point, box: Box, reach: number): boolean => distanceTo(place, box) <= reach;
 
 /** The same place of the tail for another vehicle. */
 export function sameTail(pose: Pose, before: Scenario["vehicle"], after: Scenario["vehicle"]): Pose {
