@@ -109,7 +109,18 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// A scene of the map and its border alone, with one goal.
+    /// A scene of the map and its border alone, with one goal. What else it has is laid over it:
+    ///
+    /// ```
+    /// use parkade::geometry::Pose;
+    /// use parkade::scenario::{MapFrame, Scenario, VehicleSpec};
+    ///
+    /// let map = MapFrame { origin: [0.0, 0.0], width: 80, height: 40, resolution: 0.25, boundary: None };
+    /// let (start, goal) = (Pose::new(4.0, 5.0, 0.0), Pose::new(15.0, 5.0, 0.0));
+    /// let bare = Scenario::new(map, VehicleSpec::default(), start, goal);
+    /// let named = Scenario { name: Some("Floor".to_owned()), ..bare };
+    /// assert!(named.validate().is_ok() && named.obstacles.is_empty());
+    /// ```
     pub fn new(map: MapFrame, vehicle: VehicleSpec, start: Pose, goal: Pose) -> Self {
         Self {
             version: 1,

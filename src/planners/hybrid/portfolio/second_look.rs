@@ -7,8 +7,8 @@
 //!
 //! Margin costs gear changes, too: with 10 cm a car may rock ten times where 3 cm let it in with four. So a path with
 //! many changes gives up margin, down to what is comfortable, where that saves several of them; one with few does where
-//! the coarsest lattice finds a way with hardly any. One that keeps no more than that is held against the same searches:
-//! what one lattice misses the next one finds.
+//! the coarsest lattice finds a way with hardly any. One that keeps no more than that is held against the same
+//! searches: what one lattice misses the next one finds.
 
 use super::floods::Floods;
 use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, MANY_CHANGES};
