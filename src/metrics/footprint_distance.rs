@@ -290,7 +290,6 @@ mod tests {
         Body::new(&Geometry {
             start: pose,
             goal: pose,
-            #[cfg(feature = "complete")]
             goals: None,
             vehicle: Vehicle::PAPER,
             boundary: boundary.to_vec(),

@@ -9,7 +9,6 @@ use serde::{Serialize, Serializer};
 use super::outcome::Detail;
 use super::{Metrics, Plan, Stats};
 use crate::geometry::Pose;
-#[cfg(feature = "complete")]
 use crate::scenario::GoalPose;
 
 /// The fields of the JS API's plan, but for its trace and what names things of the scene.
@@ -22,7 +21,6 @@ struct Fields<'a> {
     outcome: &'a str,
     detail: Option<&'a str>,
     reason: Option<&'a str>,
-    #[cfg(feature = "complete")]
     #[serde(skip_serializing_if = "Option::is_none")]
     goal: Option<&'a GoalPose>,
     path: Vec<f64>,
@@ -33,10 +31,8 @@ struct Fields<'a> {
     stats: &'a Stats,
     metrics: &'a Metrics,
     check: Check<'a>,
-    #[cfg(feature = "complete")]
     #[serde(skip_serializing_if = "Option::is_none")]
     member: Option<super::Member>,
-    #[cfg(feature = "complete")]
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     alternatives: &'a [Plan],
     hash: String,
@@ -70,7 +66,6 @@ impl Serialize for Plan {
             outcome: self.outcome.as_str(),
             detail: self.detail.map(Detail::as_str),
             reason: self.reason.as_deref(),
-            #[cfg(feature = "complete")]
             goal: self.goal.as_ref(),
             path: self.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect(),
             directions: &self.directions,
@@ -92,9 +87,7 @@ impl Serialize for Plan {
                 goal_heading_error: check.goal_heading_error,
                 goal_distance: check.goal_distance,
             },
-            #[cfg(feature = "complete")]
             member: self.member,
-            #[cfg(feature = "complete")]
             alternatives: &self.alternatives,
             hash: self.hash(),
         }

@@ -69,7 +69,6 @@ mod tests {
         Geometry {
             start: pose,
             goal: pose,
-            #[cfg(feature = "complete")]
             goals: None,
             vehicle,
             boundary: Vec::new(),

@@ -36,7 +36,6 @@ pub(crate) trait GridPlanner: Parameters + Send {
     }
 
     /// True if it searches jump bitmaps.
-    #[cfg(feature = "complete")]
     fn needs_bits(&self) -> bool {
         false
     }

@@ -53,7 +53,6 @@ impl Flood {
 
     /// The flood from the same source where cells have become cheaper, or were opened: `ground` may cost nothing more
     /// than this one's. Only what is nearer than before is gone through.
-    #[cfg(feature = "complete")]
     pub(super) fn onto(&self, ground: Arc<Ground>) -> Self {
         let mut steps = Vec::clone(&self.steps);
         let mut nearer = Vec::new();
@@ -110,7 +109,6 @@ impl Room<'_> {
     }
 
     /// The costs of the cells where those of `known` are not for the same obstacles: in a box, metres.
-    #[cfg(feature = "complete")]
     pub(super) fn ground_from(&self, known: &Ground, (low, high): (Point, Point)) -> Ground {
         let frame = known.frame;
         // Farther away neither the disc nor the field's squares tell the difference.

@@ -12,7 +12,6 @@ use crate::map::Cell;
 
 /// Floods that several planners share, from ways in and out of each of two entrances: those of the scene and of one
 /// variant.
-#[cfg(feature = "complete")]
 const SHARED: usize = 8;
 
 /// Some floods that were made before, the one used last behind the others. A copy is the same memory.
@@ -31,7 +30,6 @@ impl Default for FloodMemory {
 
 impl FloodMemory {
     /// A memory for several planners.
-    #[cfg(feature = "complete")]
     pub fn shared() -> Self {
         Self { most: SHARED, ..Self::default() }
     }
