@@ -2,18 +2,13 @@
 //!
 //! A submission passes five questions, and the verdict keeps the answer to each:
 //!
-//! 1. Does it begin at the start and end at rest at the goal? Within 1 cm in x and in y and 1° (`attained`).
-//! 2. Is it what a car does? Speeds and steering angles are replayed from the first row, linear in time between rows;
-//!    the replayed poses must stay within 1 cm and 0.5° of the given ones (`model_error`, part of `attained`).
-//! 3. Does the body touch anything? It is held against the exact obstacles every millisecond and at every row
-//!    (`Contacts::touching_frames`).
-//! 4. Can it touch anything in between? Where neither frame nor clearance proves that it cannot, the stretch counts
-//!    as uncertified.
+//! 1. Does it begin at the start and end at rest at the goal, within 1 cm in x and in y and 1° (`attained`)?
+//! 2. Is it what a car does? A replay of the controls must stay within 1 cm and 0.5° (`model_error`, in `attained`).
+//! 3. Does the body touch anything, asked every millisecond and at every row (`Contacts::touching_frames`)?
+//! 4. Can it touch anything in between? A stretch where nothing proves that it cannot counts as uncertified.
 //! 5. Are the limits kept, to 0.1 % (`keeps_limits`)?
 //!
-//! What a submission leaves out follows from its poses: speeds from their distances, steering angles from their
-//! curvature. A path without times is driven first, by trapezoids of speed and a simulated car that follows it, and
-//! that drive is judged. Time and memory are linear in the duration.
+//! Speeds and steering angles that are left out follow from the poses. A path without times is driven first.
 
 use serde_json::{Value, json};
 
@@ -186,8 +181,7 @@ fn interpolated(states: &States) -> Vec<(f64, Pose)> {
     moments
 }
 
-/// Holds the moments against start, goal, obstacles and limits. `moments` are every millisecond and every row,
-/// `model_error` is how far they are from a replay of the controls.
+/// Holds the moments, every millisecond and every row, against start, goal, obstacles and limits.
 fn verdict(
     geometry: &Geometry,
     body: &Body,

@@ -1,8 +1,7 @@
 //! The lattice searches once more, slowly and with every event written down.
 //!
-//! They ask the same [`Lattice`] for the same moves and order the open list by the same rule, with a heap and a map in
-//! the place of the packed memory; tests hold them to the planners' own order and counters. The fast searches stay as
-//! they are: nothing in their loops knows of this.
+//! They ask the same [`Lattice`] and order the open list by the same rule, with a heap and a map for memory; tests hold
+//! them to the planners' own order and counters. Nothing in the fast searches knows of this.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BinaryHeap};

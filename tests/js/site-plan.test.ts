@@ -4,8 +4,7 @@ import { init, Planner, sceneGeometry, type Slot } from "parkade";
 import { beforeAll, describe, expect, it } from "vitest";
 import { readSitePlan } from "../../www/src/siteplan/read-site-plan";
 import { MOST_BYTES, SitePlanError } from "../../www/src/siteplan/site-plan";
-import { buffersOf, outlineOf } from "../../www/src/siteplan/plan-outline";
-import { sceneFromSitePlan, suggestedRole, suggestedUnit, widthOf } from "../../www/src/siteplan/site-plan-scene";
+import { sceneFromSitePlan, suggestedRole, suggestedUnit } from "../../www/src/siteplan/site-plan-scene";
 import { localProjection } from "../../www/src/siteplan/projection";
 import { dxf, FILES, geojson, LOT } from "./site-plan-files";
 
@@ -123,25 +122,6 @@ describe("a lot", () => {
       geojson((point) => point),
     );
     expect(converted(plan).scene.slots!.map(({ width }) => width)).toEqual(Array.from({ length: 10 }, () => 2.5));
-  });
-
-  it("crosses from a worker as rows of numbers, with all that the page draws", () => {
-    const plan = readSitePlan("lot.dxf", dxf()),
-      made = outlineOf(plan),
-      outline = structuredClone(made, { transfer: buffersOf(made) });
-    expect(outline.layers.map(({ name }) => name)).toEqual(plan.layers.map(({ name }) => name));
-    for (const [i, { points, ends, closed, box }] of outline.layers.entries()) {
-      const { lines } = plan.layers[i]!;
-      lines.forEach((line, k) => {
-        const from = k === 0 ? 0 : ends[k - 1]!;
-        expect([...points.subarray(2 * from, 2 * ends[k]!)]).toEqual(line.points.flat());
-        expect(closed[k] === 1).toBe(line.closed);
-      });
-      const across = lines.flatMap((line) => line.points.map(([x]) => x));
-      expect([box.minX, box.maxX]).toEqual([Math.min(...across), Math.max(...across)]);
-    }
-    expect(Math.max(outline.box.maxX - outline.box.minX, outline.box.maxY - outline.box.minY)).toBe(widthOf(plan));
-    expect([outline.suggestedUnit, outline.notes]).toEqual([suggestedUnit(plan), plan.notes]);
   });
 
   it("says what has been left out", () => {

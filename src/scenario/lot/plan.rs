@@ -9,8 +9,8 @@
 //!
 //! long, and its row is as deep as they are times sin α: no corner of the rectangle is in the aisle. Everything else
 //! follows from these: the rows stand at multiples of the depth, aisles and kerbs between them, and the floor is as
-//! long as the longest row with a lane across either end. The kerb between two rows is an
-//! obstacle, columns stand on the lines between bays, set back from the aisle.
+//! long as the longest row with a lane across either end. The kerb between two rows is an obstacle; columns stand on
+//! the lines between bays, set back from the aisle.
 
 use super::layout::{CAR, Lot};
 use crate::geometry::{Pose, math};

@@ -22,8 +22,8 @@ use crate::planners::hybrid::report::{Report, Status};
 const WEIGHT: f64 = 2.0;
 /// Expansions of the fine search: as many as the path took, but so many at least and at most …
 const EXPANSIONS: [u32; 2] = [FIRST_SLICE, 50_000];
-/// … and not more than the second number where the path has no more gear changes than the first: what saves one of
-/// these is found soon or not at all.
+/// … and at most the second number where the path has no more gear changes than the first: with so few, a better path
+/// is found soon or not at all.
 const SOON: (u32, u32) = (8, 10_000);
 /// The level that is refined for it, and which of the refined lattices it takes: the one with the smallest cells.
 const LEVEL: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
@@ -33,7 +33,7 @@ const COMFORTABLE: [(u32, usize, u32); 6] =
     [(0, 0, 5000), (1, 0, 20_000), (2, 0, 20_000), (3, 0, 20_000), (4, 0, 5000), (4, 1, 5000)];
 /// Less margin must save one of so many gear changes, …
 const SAVED_SHARE: u32 = 3;
-/// … and so many where there are few: more than that nobody would drive for the margin.
+/// … and so many where there are few: 7 cm of margin are worth two changes, not three.
 const SAVED_OF_FEW: u32 = 3;
 /// On a coarse lattice a path may cost so many times what is left of it after the shortcut.
 const BEFORE_SHORTCUT: f64 = 1.6;

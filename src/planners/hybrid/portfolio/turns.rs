@@ -1,9 +1,6 @@
 //! The members' turns: who searches next, how much, and what follows from how a search ended.
 //!
-//! A member is a level of the lattice with a margin and an end to grow from. Nobody knows beforehand which one solves
-//! a scene, so all search in turn. In round r member k gets 4^(r − k) times the first slice: the most promising
-//! members are far ahead, and none is more than a few times dearer than if it had been asked alone. Slices are
-//! counted in expansions, so every machine takes the same turns.
+//! Slices and rounds are told where the portfolio is (`portfolio`); this is what happens between them.
 //!
 //! A turn ends in one of four ways:
 //!
