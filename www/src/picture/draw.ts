@@ -35,30 +35,30 @@ export interface Picture {
   colours: Readonly<Record<string, string>>;
 }
 
-export const draw = (sheet: Picture): string => drawOn(file, () => drawn(sheet));
+export const draw = (picture: Picture): string => drawOn(file, () => drawn(picture));
 
-function drawn(sheet: Picture): string {
-  const { width, height, theme, title, data } = sheet;
-  introduce(sheet.planners);
-  const state = stateOf(sheet),
-    room = roomOf(sheet);
+function drawn(picture: Picture): string {
+  const { width, height, theme, title, data } = picture;
+  introduce(picture.planners);
+  const state = stateOf(picture),
+    room = roomOf(picture);
   const size = { width, height: height - room.above - room.below },
     view = { camera: cameraFor(state, size.width, size.height), ...size };
   const sides = (theme === "auto" ? [false, true] : [theme === "dark"]).map((dark) => {
     const canvas = new Canvas(),
       bars = new Canvas(),
-      tokens = makeTokens(dark, (name) => sheet.colours[name] ?? "");
-    const shown = sheet.plans.map((plan) => ({
+      tokens = makeTokens(dark, (name) => picture.colours[name] ?? "");
+    const shown = picture.plans.map((plan) => ({
       planner: plan.planner,
       plan,
       result: { ...state.results[plan.planner]!, plan },
       ghost: false,
-      ...(sheet.planned[plan.planner] && { planned: sheet.planned[plan.planner]! }),
+      ...(picture.planned[plan.planner] && { planned: picture.planned[plan.planner]! }),
     }));
     new SceneLayers().draw(
       makeFrame({ ctx: canvas.getContext() as unknown as Context, view, ratio: 1, state, tokens, shown, draft: null }),
     );
-    drawBars(bars.getContext(), sheet, room, tokens);
+    drawBars(bars.getContext(), picture, room, tokens);
     return { canvas, bars };
   });
   const map = svgOf(sides.map(({ canvas }) => canvas)),

@@ -3,7 +3,7 @@
  * as objects would hold the page up for a fifth of a second.
  */
 import type { SitePlan, SitePlanLayer } from "parkade/siteplan";
-import type { Box } from "../scene/geometry";
+import { boxOf, type Box } from "../scene/geometry";
 import { suggestedUnit } from "./site-plan-scene";
 
 export interface LayerOutline {
@@ -39,31 +39,25 @@ function layerOutline({ name, lines }: SitePlanLayer): LayerOutline {
   const count = lines.reduce((sum, { points }) => sum + points.length, 0),
     points = new Float64Array(2 * count),
     ends = new Uint32Array(lines.length),
-    closed = new Uint8Array(lines.length),
-    box = { ...NOWHERE };
+    closed = new Uint8Array(lines.length);
   let at = 0;
   lines.forEach((line, i) => {
     for (const [x, y] of line.points) {
       points[2 * at] = x;
       points[2 * at + 1] = y;
-      box.minX = Math.min(box.minX, x);
-      box.minY = Math.min(box.minY, y);
-      box.maxX = Math.max(box.maxX, x);
-      box.maxY = Math.max(box.maxY, y);
       at++;
     }
     ends[i] = at;
     closed[i] = Number(line.closed);
   });
-  return { name, points, ends, closed, box };
+  return { name, points, ends, closed, box: joined(lines.map((line) => boxOf(line.points))) };
 }
 
-const NOWHERE: Readonly<Box> = { minX: Infinity, minY: Infinity, maxX: -Infinity, maxY: -Infinity };
-
 /** The box around some boxes. */
-export const joined = (boxes: readonly Box[]): Box => ({
-  minX: Math.min(...boxes.map(({ minX }) => minX)),
-  minY: Math.min(...boxes.map(({ minY }) => minY)),
-  maxX: Math.max(...boxes.map(({ maxX }) => maxX)),
-  maxY: Math.max(...boxes.map(({ maxY }) => maxY)),
-});
+export const joined = (boxes: readonly Box[]): Box =>
+  boxOf(
+    boxes.flatMap(({ minX, minY, maxX, maxY }) => [
+      [minX, minY],
+      [maxX, maxY],
+    ]),
+  );
