@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { goalPose, poseInSlot, resolve } from "../../www/src/scene/model";
 import { createStore, type Scene, type State } from "../../www/src/store";
 import { BrushTool, EraserTool } from "../../www/src/tools/brush";
+import type { Obstacle } from "../../www/src/scene/scenario";
 import type { Draft } from "../../www/src/store/draft";
 import { MovingTool, PolygonTool, RoadTool, WallTool } from "../../www/src/tools/line";
 import { SelectTool } from "../../www/src/tools/select";
@@ -104,6 +105,19 @@ describe("a drag", () => {
     expect(first!.center).toEqual([20, 15]);
     expect(second!.center).toEqual([22, 17]);
     expect(steps(on)).toBe(1);
+  });
+
+  it.each([
+    ["a shape that is smaller than its grips as a whole", [0.4, 0.4], [20.95, 15.95], [0.4, 0.4]],
+    ["a corner of a larger one", [4, 2], [20.5, 15.5], [5, 3]],
+  ] as const)("moves %s", (_, size, center, after) => {
+    const on = bench({
+      scene: { ...yard, obstacles: [{ ...yard.obstacles![0]!, size: [...size] } as Obstacle] },
+      selection: { kind: "obstacle", id: "box" },
+    });
+    const corner: [number, number] = [20 + size[0] / 2, 15 + size[1] / 2];
+    drag(new SelectTool(), on, [corner, [corner[0] + 1, corner[1] + 1]]);
+    expect(on.store.state.scene.obstacles![0]).toMatchObject({ center: [...center], size: [...after] });
   });
 
   it("that is given up leaves the scene as it was", () => {

@@ -35,19 +35,33 @@ const WIDEST = 1000,
 
 const anyOf = (...ways: RegExp[]): RegExp => new RegExp(ways.map((way) => way.source).join("|"), "i");
 
-/** Names of layers in the languages of plans that are often met. */
+/**
+ * Words in names of layers: those of the US National CAD Standard (`S-COLS`, `C-PKNG-STRP`), of OpenStreetMap, and of
+ * plans in English, German, French, Spanish, Italian, Chinese, Japanese and Korean. The first role that fits counts.
+ */
 const NAMES: [Role, RegExp][] = [
+  ["none", /(?:text|anno|dims?|ttlb|signs?)$|pkng[-_](?:cars|drai|isld|iden)/i],
   [
     "bay",
     anyOf(
-      /(?:\b|_)parking[-_ ](?!lot|area|bound|outline|sign|text)|\b(bay|stall|slot|space)s?\b|bays|stalls/,
-      /stellpl|parkpl|parkst|\u8f66\u4f4d|\u505c\u8f66|\uc8fc\ucc28/,
+      /(?:\b|_)parking[-_ ](?!lot|area|bound|outline)|(?:\b|_)pkng(?:\b|_)|\b(bay|stall|slot|space)s?\b|bays|stalls/,
+      /stellpl|parkpl|parkst|stationnement|aparcamiento|estacionamiento|parcheggi|stallo|post[oi] auto/,
+      /\u8f66\u4f4d|\u505c\u8f66|\u99d0\u8eca|\uc8fc\ucc28/,
     ),
   ],
-  ["kerb", /kerb|curb|bord|\u8def\u7f18|\u7f18\u77f3/i],
-  ["column", /column|pillar|post\b|bollard|s[t\u00fc]+tze|st\u00fctze|(?<!s)tree|\u67f1/i],
-  ["building", /build|geb(\u00e4|ae)ude|house|\u5efa\u7b51|\u697c/i],
-  ["wall", /wall|wand|mauer|fence|barrier|\u5899/i],
+  ["kerb", /kerb|curb|bord(?!er)|cordon|cordol|\u8def\u7f18|\u7f18\u77f3|\u7e01\u77f3|\uc5f0\uc11d/i],
+  [
+    "column",
+    anyOf(
+      /column|(?:\b|_)cols?(?:\b|_)|pillar|post\b|bollard|(?<!s)tree/,
+      /st(?:\u00fc|ue)tze|poteau|pilar|pilastr|colonn|\u67f1|\uae30\ub465/,
+    ),
+  ],
+  [
+    "building",
+    /build|bldg|geb(?:\u00e4|ae)ude|house|b[a\u00e2]timent|edifici|\u5efa\u7b51|\u5efa\u7269|\u697c|\uac74\ubb3c/i,
+  ],
+  ["wall", /wall|wand|mauer|fence|barrier|(?:\b|_)mur[ios]?(?:\b|_)|\bpared|\u5899|\u58c1|\ubcbd/i],
   ["ground", /amenity=parking$|(?:^|[^k])ground|floor|boundary|outline|site\b|grundst|\u8303\u56f4|\u573a\u5730/i],
 ];
 

@@ -3,12 +3,13 @@ import type { Selection } from "../scene/selection";
 import type { MovingObstacle, Obstacle } from "../scene/scenario";
 import { findMoving, resolve } from "../scene/model";
 import { distance, distanceToPolyline, insidePolygon, type Point } from "../scene/geometry";
-import { distanceToShape, rectangleCorners, verticesOf, vertexAt, type Shape } from "../scene/shapes";
+import { distanceToShape, rectangleCorners, vertexAt, type Shape } from "../scene/shapes";
 import { footprint } from "../scene/vehicle";
 import type { State } from "../store";
 import { boxAt, clockOf } from "../view/playback-time";
 import { gripOf } from "../view/pose-handle";
 import { turnGripOf } from "../view/turn-grip";
+import { gripVerticesOf } from "../view/vertex-grips";
 import { metresOf, reachOf, type ToolContext, type Input } from "./tool";
 
 export type Hit =
@@ -60,7 +61,7 @@ function hitShapeGrip(context: ToolContext, input: Input): Hit | null {
   const reach = metresOf(context, reachOf(input));
   const grip = turnGripOf(shape, context.view);
   if (grip && distance(grip.to, input.at) <= reach) return { part: "turn-grip", id: shape.id };
-  const index = vertexAt(verticesOf(shape), input.at, reach * 0.75);
+  const index = vertexAt(gripVerticesOf(shape, context.view), input.at, reach * 0.75);
   return index >= 0 ? { part: "vertex", id: shape.id, index } : null;
 }
 

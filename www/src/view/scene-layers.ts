@@ -8,7 +8,7 @@ import { drawCusps, drawPath } from "./layers/path";
 import { drawCollisions, drawFirstHit } from "./layers/collisions";
 import { drawDrivingCar, drawStartAndGoal } from "./layers/cars";
 import { hasField } from "../styles/planner-style";
-import { drawHandles, drawSelection } from "./layers/handles";
+import { drawHandles } from "./layers/handles";
 import { drawHover } from "./layers/hover";
 import { RiskLayer } from "./layers/risk";
 import { SafetyLayer } from "./layers/safety";
@@ -40,7 +40,7 @@ export class SceneLayers {
     this.drawAnswers(frame);
     const steps = frame.state.searchSteps;
     if (leading(frame)?.planner === steps?.planner) steps?.draw(frame);
-    drawSelection(frame);
+    if (frame.state.selection || frame.draft) laterLayers()?.drawSelection(frame);
     drawHandles(frame);
     if (isLong(scene)) laterLayers()?.drawLaneStrip(frame);
     if (frame.state.bays) laterLayers()?.drawBayNumbers(frame);

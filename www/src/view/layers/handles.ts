@@ -1,15 +1,10 @@
-/** Selection outlines, grips and the label of the pose. */
-import { isPose, type Selection } from "../../scene/selection";
+/** The grip and the label of a pose. */
+import { isPose } from "../../scene/selection";
 import type { Pose } from "parkade";
-import { findMoving, findObstacle, slotOutline } from "../../scene/model";
 import { boxOf, type Box, type Point } from "../../scene/geometry";
-import { cornersOf, verticesOf } from "../../scene/shapes";
 import { footprint } from "../../scene/vehicle";
-import { findThing, idsOf } from "../../scene/scene-objects";
-import { inMetres, inPixels, leading, linePath, pixels, polygonPath, toScreen, type Frame } from "../frame";
-import { cellPaths } from "../outline";
+import { inPixels, leading, toScreen, type Frame } from "../frame";
 import { gripOf, noseOf } from "../pose-handle";
-import { turnGripOf } from "../turn-grip";
 import { drawPill, PILL_HEIGHT, pillWidth, placePill, poseText } from "../text";
 import { keepPoseLabel } from "../pose-label";
 
@@ -47,7 +42,7 @@ function drawGrip(frame: Frame, pose: Pose): void {
   drawStalk(frame, noseOf(pose, vehicle), gripOf(pose, vehicle));
 }
 
-function drawStalk(frame: Frame, from: Point, to: Point): void {
+export function drawStalk(frame: Frame, from: Point, to: Point): void {
   const {
     ctx,
     tokens: { colour },
@@ -64,7 +59,7 @@ function drawStalk(frame: Frame, from: Point, to: Point): void {
   drawKnob(frame, b, coarse() ? GRIP_TOUCH_PX : GRIP_PX);
 }
 
-function drawKnob({ ctx, tokens: { colour } }: Frame, [x, y]: Point, radius: number): void {
+export function drawKnob({ ctx, tokens: { colour } }: Frame, [x, y]: Point, radius: number): void {
   ctx.beginPath();
   ctx.arc(x, y, radius, 0, 2 * Math.PI);
   ctx.fillStyle = colour.floor;
@@ -109,60 +104,4 @@ function pathBoxes(frame: Frame): Box[] {
 function screenBox(frame: Frame, points: readonly Point[], margin = 0): Box {
   const box = boxOf(points.map((p) => toScreen(frame, p)));
   return { minX: box.minX - margin, minY: box.minY - margin, maxX: box.maxX + margin, maxY: box.maxY + margin };
-}
-
-/** The outline of what is selected and, thinner, of what is under the pointer. */
-export function drawSelection(frame: Frame): void {
-  const {
-    state: { selection },
-    draft,
-  } = frame;
-  if (draft?.hot && !sameSelection(draft.hot, selection)) outlineOf(frame, draft.hot, 1.25);
-  if (!selection) return;
-  outlineOf(frame, selection, 2);
-  if (selection.kind === "obstacle") drawShapeGrips(frame, selection.id);
-  if (selection.kind === "moving" && frame.state.tool === "select") {
-    inPixels(frame);
-    for (const corner of findMoving(frame.state.scene, selection.id)?.points ?? [])
-      drawKnob(frame, toScreen(frame, corner), 5);
-  }
-}
-
-const sameSelection = (a: Selection, b: Selection): boolean =>
-  a?.kind === b?.kind && idsOf(a).join() === idsOf(b).join();
-
-/** Start and goal need no outline: their grip and label say that they are chosen. */
-function outlineOf(frame: Frame, selection: NonNullable<Selection>, width: number): void {
-  const {
-    ctx,
-    tokens: { colour },
-  } = frame;
-  inMetres(frame);
-  ctx.strokeStyle = colour.accent;
-  ctx.lineWidth = pixels(frame, width);
-  ctx.lineJoin = "round";
-  for (const id of idsOf(selection)) {
-    const path = pathOfThing(frame, id);
-    if (path) ctx.stroke(path);
-  }
-}
-
-function pathOfThing({ state: { scene } }: Frame, id: string): Path2D | null {
-  const found = findThing(scene, id);
-  if (!found) return null;
-  if (found.kind === "slot") return polygonPath(slotOutline(found.thing));
-  if (found.kind === "moving") return linePath(found.thing.points);
-  if (found.kind === "cost") return cellPaths(found.thing.runs, scene.map).edge;
-  const { thing } = found;
-  if (thing.type === "cells") return cellPaths(thing.runs, scene.map).edge;
-  return thing.type === "wall" || thing.type === "road" ? linePath(thing.points) : polygonPath(cornersOf(thing));
-}
-
-function drawShapeGrips(frame: Frame, id: string): void {
-  const obstacle = findObstacle(frame.state.scene, id);
-  if (frame.state.tool !== "select" || !obstacle || obstacle.type === "cells") return;
-  const grip = turnGripOf(obstacle, frame.view);
-  if (grip) drawStalk(frame, grip.from, grip.to);
-  inPixels(frame);
-  for (const corner of verticesOf(obstacle)) drawKnob(frame, toScreen(frame, corner), 5);
 }

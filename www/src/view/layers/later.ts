@@ -13,5 +13,6 @@ export { drawLanes } from "./lanes";
 export { drawContact, drawMoving } from "./moving";
 export { drawObstruction } from "./obstruction";
 export { drawCosts } from "./painted-costs";
+export { drawSelection } from "./selection";
 export { TreeLayer } from "./tree";
 export { drawUnsmoothed } from "./unsmoothed";
