@@ -74,7 +74,7 @@ test("the Chinese page is Chinese: all bays and the search debugger", async ({ p
   await settled(page);
   await fromMenu(page, "导出", "检查全部车位");
   const bays = page.locator("parkade-bays");
-  await expect(bays.locator(".sum")).toBeVisible({ timeout: 30_000 });
+  await expect(bays.locator(".summary")).toBeVisible({ timeout: 30_000 });
   await expectChinese(page, "bays");
   await page.keyboard.press("Escape");
   for (const focus of ["eight", "hybrid", "risk-field"]) {

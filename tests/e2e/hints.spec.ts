@@ -76,7 +76,7 @@ test("a hint covers no control, no text and neither car at any size, and its but
           if (
             (!text && !one.matches("button, input")) ||
             !one.checkVisibility({ visibilityProperty: true }) ||
-            one.matches(".sr")
+            one.matches(".visually-hidden")
           )
             return;
           const { left, right, top, bottom } = one.getBoundingClientRect();

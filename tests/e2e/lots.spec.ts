@@ -57,7 +57,7 @@ test("a newcomer's path: plan, bays, column, report", async ({ page }) => {
   await settled(page);
   await page.getByRole("button", { name: "Check all bays" }).click();
   const panel = page.locator("parkade-bays");
-  await expect(panel.locator(".sum")).toContainText("10 of 10 reachable");
+  await expect(panel.locator(".summary")).toContainText("10 of 10 reachable");
   await expect(panel.locator("tbody tr")).toHaveCount(10);
   const checked = () =>
     page.waitForFunction(() => {
@@ -129,7 +129,7 @@ test.describe("on a phone", () => {
     await settled(page);
     await page.getByRole("button", { name: "More" }).click();
     await page.getByText("Check all bays").click();
-    await expect(page.locator("parkade-bays .sum")).toContainText("reachable");
+    await expect(page.locator("parkade-bays .summary")).toContainText("reachable");
     const { map, panel, lot } = await page.evaluate(() => {
       interface Viewed extends HTMLElement {
         store: { state: { camera: { x: number; y: number; scale: number }; scene: Scenario } };

@@ -229,7 +229,7 @@ export class BayPanel extends AppElement {
         <div class="row"><label><span
           class="side">${say(lang, "vehicle")}</span>${this.vehicles(check)}</label><label><span
           class="side">${say(lang, "entry")}</span>${this.entries(check)}</label></div>
-        <div class="row"><span class="sum" aria-live="polite">${
+        <div class="row"><span class="summary" aria-live="polite">${
           asked > 0
             ? html`${say(lang, "reachable", { n: reachable, of: asked })} · ${say(lang, "hard", { n: hard })}`
             : nothing

@@ -22,7 +22,7 @@ export const bayStyles = css`
     background: var(--parkade-panel); border: 1px solid var(--parkade-hair2);
     border-radius: calc(6px * var(--parkade-radius));
   }
-  .sum { color: var(--parkade-t1); font-weight: 500; flex: 1; }
+  .summary { color: var(--parkade-t1); font-weight: 500; flex: 1; }
   .legend { display: flex; gap: 3px; align-items: center; color: var(--parkade-t2); }
   .legend b {
     min-width: 20px; padding: 0 4px; font-weight: 600; text-align: center; border-radius: 3px; color: var(--ink);

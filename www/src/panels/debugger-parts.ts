@@ -24,8 +24,8 @@ export function movesTable(lang: Lang, replay: SearchReplay): TemplateResult | t
     ${
       trace.first[step] === trace.first[step + 1]
         ? html`<p class="note">${say(lang, "moves.none")}</p>`
-        : html`<table><thead><tr><th></th><th>${say(lang, "to")}</th><th class="n">g</th><th
-          class="n">h</th><th>${say(lang, "fate")}</th></tr></thead>
+        : html`<table><thead><tr><th></th><th>${say(lang, "to")}</th><th class="number">g</th><th
+          class="number">h</th><th>${say(lang, "fate")}</th></tr></thead>
     <tbody>${moves.map((one) => moveRow(lang, replay, one))}</tbody></table>`
     }`;
 }
@@ -38,9 +38,9 @@ function moveRow(lang: Lang, replay: SearchReplay, move: number): TemplateResult
     hasH = fate === "kept" || fate === "improved";
   return html`<tr class="${move === replay.move ? "now" : ""} ${isLegal ? "" : "bad"}"><td class="sign"
     aria-hidden="true">${SIGNS[fate]}</td><td>${targetOf(lang, replay, move)}</td>
-    <td class="n">${hasG ? cost(lang, replay, nth(trace.targetG, move)) : ""}</td><td class="n">${
+    <td class="number">${hasG ? cost(lang, replay, nth(trace.targetG, move)) : ""}</td><td class="number">${
       hasH ? cost(lang, replay, nth(trace.targetH, move)) : ""
-    }</td><td class="why">${fateText(lang, replay, move)}</td></tr>`;
+    }</td><td>${fateText(lang, replay, move)}</td></tr>`;
 }
 
 /** The entries that come next on a side. */
@@ -61,16 +61,16 @@ export function openTable(lang: Lang, replay: SearchReplay, side: number): Templ
     <table><thead><tr><th></th><th>${say(
       lang,
       hasPoses ? "pose" : "place",
-    )}</th><th class="n">f</th><th class="n">h</th><th class="n">${say(lang, "age")}</th></tr></thead>
+    )}</th><th class="number">f</th><th class="number">h</th><th class="number">${say(lang, "age")}</th></tr></thead>
     <tbody>${entries.map((one, i) => {
       const tied = (other: (typeof entries)[number] | undefined): boolean => other?.f === one.f;
       return html`<tr class=${tied(entries[i - 1]) || tied(entries[i + 1]) ? "tied" : ""}><td class="rank">${i + 1}</td>
         <td>${placeOf(lang, replay, side, one.node)}${one.deferred ? html` <i>${say(lang, "waits")}</i>` : nothing}</td>
-        <td class="n">${cost(
+        <td class="number">${cost(
           lang,
           replay,
           one.f,
-        )}</td><td class="n">${cost(lang, replay, one.h)}</td><td class="n">${one.age}</td></tr>`;
+        )}</td><td class="number">${cost(lang, replay, one.h)}</td><td class="number">${one.age}</td></tr>`;
     })}</tbody></table>`;
 }
 

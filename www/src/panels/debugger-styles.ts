@@ -35,7 +35,7 @@ export const debuggerStyles = css`
   }
   .head + section { border-top: 0; }
   h2 { display: flex; align-items: center; gap: 6px; margin: 0; font-size: 13px; line-height: 18px; font-weight: 600; }
-  .who {
+  .planner-name {
     flex: 1; min-width: 0; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; color: var(--parkade-t2);
   }
   h3 { margin: 0 0 4px; font-size: 12px; line-height: 16px; font-weight: 600; }
@@ -65,7 +65,7 @@ export const debuggerStyles = css`
   th { font-weight: 400; color: var(--parkade-t3); text-align: left; padding: 2px 4px; white-space: nowrap; }
   td { padding: 2px 4px; vertical-align: top; white-space: nowrap; }
   td.why { white-space: normal; color: var(--parkade-t2); }
-  .n { text-align: right; }
+  .number { text-align: right; }
   .sign, .rank { width: 18px; text-align: center; color: var(--parkade-t3); }
   tr.now td { background: var(--parkade-accent-soft); }
   tr.bad .sign { color: var(--parkade-err); }

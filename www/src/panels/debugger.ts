@@ -243,7 +243,7 @@ export class Debugger extends AppElement {
     const { lang, focus } = this.state,
       { session } = this;
     return html`<section class="head"><h2>${marker(focus)}${say(lang, "title")}</h2><span
-      class="who">${plannerName(lang, focus)}</span>
+      class="planner-name">${plannerName(lang, focus)}</span>
         <button class="icon" aria-label=${say(lang, "close")} title=${say(lang, "close")}
           @click=${() => this.remove()}>${icon("close")}</button></section>
       ${

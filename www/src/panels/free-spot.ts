@@ -109,7 +109,7 @@ export const moved = ({ minX, maxX, minY, maxY }: Box, { left, top }: DOMRect): 
 /** Every control and every text below `root`, but for some elements'. */
 export function* boxesOf(root: ParentNode, except: string): Generator<Box> {
   for (const element of root.querySelectorAll("*")) {
-    if (element.matches(`.sr, ${except}`)) continue;
+    if (element.matches(`.visually-hidden, ${except}`)) continue;
     if (element.shadowRoot) yield* boxesOf(element.shadowRoot, except);
     const speaks =
       element.matches(CONTROLS) ||

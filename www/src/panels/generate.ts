@@ -46,7 +46,7 @@ export class Generate extends AppElement {
     .picture {
       min-height: 168px; display: grid; background: var(--parkade-out); border-right: 1px solid var(--parkade-hair);
     }
-    .words {
+    .explanation {
       padding: 12px 14px 12px 0; display: grid; gap: 10px; align-content: start; justify-items: start; min-width: 0;
     }
     h3 { margin: 0; font: inherit; font-weight: 600; }
@@ -63,7 +63,7 @@ export class Generate extends AppElement {
     @media (max-width: 640px) {
       form { grid-template-columns: 1fr; gap: 0; }
       .picture { min-height: 140px; border-right: 0; border-bottom: 1px solid var(--parkade-hair); }
-      .words { padding: 12px; }
+      .explanation { padding: 12px; }
     }
   `,
   ];
@@ -105,7 +105,7 @@ export class Generate extends AppElement {
       <div class="picture">${
         this.drawn ? html`<parkade-thumbnail .app=${this.app} .scene=${this.drawn} whole></parkade-thumbnail>` : nothing
       }</div>
-      <div class="words"><h3 id="heading">${say(lang, "title")}</h3><p>${say(lang, "lead")}</p>
+      <div class="explanation"><h3 id="heading">${say(lang, "title")}</h3><p>${say(lang, "lead")}</p>
         <div class="segmented" role="group" aria-label=${say(lang, "family")}>${FAMILIES.map(
           (one) => html`
           <button type="button" aria-pressed=${one === this.family} @click=${() => {

@@ -63,12 +63,12 @@ export class GroupCard extends AppElement {
         @click=${() =>
           duplicateSelected(
             this.app.store,
-          )}>${icon("copy", 14)}${say(lang, "duplicate")}</button><span class="keys push">Ctrl D</span></div>
+          )}>${icon("copy", 14)}${say(lang, "duplicate")}</button><span class="keys to-end">Ctrl D</span></div>
       <div class="row"><button class="button danger small"
         @click=${() =>
           removeSelected(
             this.app.store,
-          )}>${icon("trash", 14)}${say(lang, "remove")}</button><span class="keys push">Del</span></div>`;
+          )}>${icon("trash", 14)}${say(lang, "remove")}</button><span class="keys to-end">Del</span></div>`;
   }
 
   private bays(slots: readonly Slot[]): TemplateResult {

@@ -74,7 +74,7 @@ export class GuestCard extends AppElement {
             })
           : nothing
       }</p>
-      <table><caption class="sr">${say(lang, "title")}</caption>
+      <table><caption class="visually-hidden">${say(lang, "title")}</caption>
         <thead><tr><td></td><th scope="col" title=${name}>${name}</th>${
           ours ? html`<th scope="col">${shortName(lang, focus)}</th>` : nothing
         }</tr></thead>

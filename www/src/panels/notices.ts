@@ -70,7 +70,7 @@ export class Notices extends AppElement {
             @click=${() => this.app.store.set({ message: null })}>${icon("close", 14)}</button></div>`
           : nothing
       }</div>
-      <output class="sr" aria-live="polite">${this.spoken[this.state.lang]}</output>`;
+      <output class="visually-hidden" aria-live="polite">${this.spoken[this.state.lang]}</output>`;
   }
 
   private keep(message: State["message"]): void {

@@ -93,7 +93,7 @@ export class PlannerPanel extends AppElement {
     parkade-failure { position: absolute; inset: 0 0 auto; }
     parkade-failure.low { inset: auto 0 0; }
     .low ~ .corner:not(.top) { bottom: 46px; }
-    .veil {
+    .hidden-note {
       position: absolute; inset: 0; display: grid; place-items: center; background: var(--parkade-panel);
       color: var(--parkade-t3); text-align: center; padding: 12px;
     }
@@ -166,7 +166,7 @@ export class PlannerPanel extends AppElement {
       <div class="body ${slim ? "slim" : ""}" @pointerdown=${this.takeFocus}>
         ${
           hidden
-            ? html`<div class="veil">${this.t("panel.hidden")}</div>`
+            ? html`<div class="hidden-note">${this.t("panel.hidden")}</div>`
             : html`
               <parkade-scene-view exportparts="canvas" .app=${this.app} .planners=${[planner]}
               .label=${label}></parkade-scene-view>

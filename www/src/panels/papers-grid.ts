@@ -139,7 +139,7 @@ export class PapersGrid extends PapersTab<Summary> {
       say(lang, "figureScene", { figure: scene.slice(3, 4) }),
     )}</h3>
       <div class="wide"><table><thead>
-        <tr class="over"><th></th><th class="first" colspan="4"
+        <tr class="group-head"><th></th><th class="first" colspan="4"
           title=${say(lang, "nodesTip")}>${say(lang, "nodes")}</th><th class="first" colspan="4"
           title=${say(lang, "lengthTip")}>${say(lang, "length")}</th>
           <th class="first">${say(lang, "turns")}</th><th>${say(lang, "turning")}</th><th

@@ -67,7 +67,7 @@ export class PapersParking extends PapersRowsTab<"parking"> {
       note = noteOf(lang, table);
     return html`<h3 id=${table.row.id}>${titleOf(lang, table)}${this.link(table.row.id)}</h3>
       <div class="wide"><table><thead>
-        <tr class="over"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first"
+        <tr class="group-head"><th></th><th class="first" colspan="2">${say(lang, "printedHead")}</th><th class="first"
           colspan=${table.lines.length}>${say(lang, "oursHead")}</th></tr>
         <tr><th>${say(lang, "figure")}</th><th
           class="first">${say(lang, "traditional")}</th><th>${say(lang, "improved")}</th>

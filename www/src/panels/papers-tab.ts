@@ -45,7 +45,7 @@ export abstract class PapersTab<Summary> extends AppElement {
     th, td { text-align: right; padding: 5px 8px; white-space: nowrap; font-weight: 400; }
     th:first-child, td:first-child { text-align: left; padding-left: 0; }
     thead th { color: var(--parkade-t2); }
-    thead .over th { color: var(--parkade-t1); font-weight: 500; padding-bottom: 0; text-align: left; }
+    thead .group-head th { color: var(--parkade-t1); font-weight: 500; padding-bottom: 0; text-align: left; }
     tbody tr { border-top: 1px solid var(--parkade-hair); }
     tbody th { font-weight: 500; }
     .printed { color: var(--parkade-t2); }

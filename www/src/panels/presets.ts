@@ -54,7 +54,7 @@ export class Presets extends DialogElement {
       background: linear-gradient(var(--parkade-hair) 1px, transparent 0) center / 16px 16px,
         linear-gradient(90deg, var(--parkade-hair) 1px, transparent 0) center / 16px 16px;
     }
-    .words { padding: 10px 12px 11px; display: block; }
+    .caption { padding: 10px 12px 11px; display: block; }
     b { display: flex; align-items: center; gap: 8px; font-weight: 600; } .by { margin-left: auto; }
     h3 { margin: 18px 0 8px; font: inherit; font-weight: 600; display: flex; align-items: center; gap: 8px; }
     h3:first-child { margin-top: 0; }
@@ -133,7 +133,7 @@ export class Presets extends DialogElement {
     const { lang } = this.state;
     return html`<li><button @click=${this.newLot}><span class="new"><svg viewBox="0 0 16 16" width="28" fill="none"
       stroke="currentColor"><path d="M8 2.5v11M2.5 8h11"/></svg></span>
-      <span class="words"><b>${say(lang, "newLot")}</b><i>${say(lang, "numbers")}</i></span></button></li>`;
+      <span class="caption"><b>${say(lang, "newLot")}</b><i>${say(lang, "numbers")}</i></span></button></li>`;
   }
 
   private card(
@@ -149,9 +149,9 @@ export class Presets extends DialogElement {
     return html`<li><button aria-current=${info.id === this.app.preset} @click=${run}>
       <parkade-thumbnail .app=${this.app} .scene=${this.sceneOf(info.id)} .plan=${solved.get(key)}
         ?whole=${info.group === "grid" || info.group === "road"}></parkade-thumbnail>
-      <span class="words"><b>${title}<span class="by"
+      <span class="caption"><b>${title}<span class="by"
         title=${suits}>${marker(planner)}<span
-        class="sr">${suits}</span></span></b><i>${question}</i><small>${this.factOf(
+        class="visually-hidden">${suits}</span></span></b><i>${question}</i><small>${this.factOf(
           info.id,
           planner,
         )}</small></span></button></li>`;

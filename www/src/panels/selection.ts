@@ -220,7 +220,7 @@ export class SelectionCard extends AppElement {
       <div class="row">
         <label class="check"><input type="checkbox" .checked=${slot.occupied ?? false} ?disabled=${isGoal}
           @change=${(e: Event) => this.edit(patch({ occupied: isChecked(e) }))}>${this.t("inspect.occupied")}</label>
-        <button class="button outline small push" ?disabled=${isGoal || (slot.occupied ?? false)}
+        <button class="button outline small to-end" ?disabled=${isGoal || (slot.occupied ?? false)}
           @click=${() => this.edit(setGoalFromSlot(this.state.scene, id))}>${this.t("inspect.makeGoal")}</button>
       </div>
       <div class="row"><button class="button outline small"
@@ -259,7 +259,7 @@ export class SelectionCard extends AppElement {
 
   private deleteRow(run: () => void): TemplateResult {
     return html`<div class="row"><button class="button danger small"
-      @click=${run}>${icon("trash", 14)}${this.t("inspect.delete")}</button><span class="keys push">Del</span></div>`;
+      @click=${run}>${icon("trash", 14)}${this.t("inspect.delete")}</button><span class="keys to-end">Del</span></div>`;
   }
 
   private edit(scene: Scene): void {

@@ -86,7 +86,7 @@ export class MetricsTable extends AppElement {
     const rows = rowsOf(this.state);
     const columns = this.compact ? SMALL : COLUMNS;
     return html`<div class="scroll" tabindex="0" role="region" aria-label=${this.t("table.label")}><table>
-        <caption class="sr">${this.t("table.label")}</caption>
+        <caption class="visually-hidden">${this.t("table.label")}</caption>
         <colgroup>${(this.compact ? SMALL_WIDTHS : WIDTHS).map(
           (width) => html`<col .style=${`width:${width}%`}>`,
         )}</colgroup>
@@ -125,7 +125,8 @@ export class MetricsTable extends AppElement {
           return html`<td class=${best ? "best" : ""}
             title=${title || nothing}>${
               best
-                ? html`<span class="star" aria-hidden="true">★</span><span class="sr">${this.t("table.best")} </span>`
+                ? html`<span class="star" aria-hidden="true">★</span><span
+                    class="visually-hidden">${this.t("table.best")} </span>`
                 : nothing
             }<span .textContent=${text}></span></td>`;
         })}`

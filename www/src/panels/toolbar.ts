@@ -186,7 +186,7 @@ export class Toolbar extends AppElement {
           this.shared ? "check" : "share",
         )}<span class="label">${this.t(
           this.shared ? "bar.shared" : "bar.share",
-        )}</span><span class="sr">${this.t("bar.share")}</span></button>
+        )}</span><span class="visually-hidden">${this.t("bar.share")}</span></button>
       </span>`;
   }
 

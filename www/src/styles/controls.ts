@@ -11,7 +11,7 @@ export const controls = css`
   }
   svg { display: block; flex: none; }
   svg .fill { fill: currentColor; }
-  .sr {
+  .visually-hidden {
     position: absolute; width: 1px; height: 1px; margin: -1px; overflow: hidden;
     clip-path: inset(50%); white-space: nowrap;
   }

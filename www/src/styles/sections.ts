@@ -10,5 +10,5 @@ export const sections = css`
   .row { display: flex; gap: 6px; align-items: center; }
   .row + .row, .row + p, p + .row { margin-top: 8px; }
   .row .field { flex: 1; gap: 3px; padding: 0 5px; }
-  .push { margin-left: auto; }
+  .to-end { margin-left: auto; }
 `;

@@ -32,7 +32,7 @@ export function weightsOf({ scene: { costs = [] }, lang }: State): TemplateResul
   return html`<div class="pill weights" title=${translate(
     lang,
     "read.weights",
-  )}><span class="sr">${translate(lang, "read.weights")}</span>${weights.map(
+  )}><span class="visually-hidden">${translate(lang, "read.weights")}</span>${weights.map(
     (weight) => html`
       <i
       .style=${
