@@ -1,8 +1,12 @@
 import { css } from "lit";
 
-/** Room for the panel: the way back stands above the inspector, and in a low window the table beside the map. */
+/**
+ * Room for the panel: the way back stands above the inspector, and in a low window the table beside the map. On a phone
+ * the table covers the lower part of the map, and the scale bar moves up.
+ */
 export const room = css`
   .layout-wide:has(~ parkade-bays[opened]) parkade-inspector { margin-top: 44px; }
+  .layout-narrow:not(.rails):has(~ parkade-bays:not([hidden], [opened])) parkade-stage { --scale-block: 50px auto; }
   .rails:has(~ parkade-bays:not([hidden], [opened])) :is(parkade-stage, parkade-timeline) { margin-right: 360px; }
 `;
 

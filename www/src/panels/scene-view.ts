@@ -35,8 +35,8 @@ export class SceneView extends LitElement {
       user-select: none; -webkit-user-select: none;
     }
     .scale {
-      position: absolute; left: var(--scale-inset, 12px); bottom: 9px; display: var(--parkade-scale, flex);
-      align-items: end; gap: 6px; pointer-events: none; font: 12px/12px inherit; font-family: inherit;
+      position: absolute; left: var(--scale-inset, 12px); inset-block: var(--scale-block, auto 9px);
+      display: var(--parkade-scale, flex); align-items: end; gap: 6px; pointer-events: none; font: 12px/12px inherit; font-family: inherit;
       color: var(--parkade-t3);
     }
     .scale::before {
