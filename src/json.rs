@@ -146,11 +146,20 @@ pub(crate) trait Words: Copy + PartialEq + 'static {
     }
 }
 
-/// Names the values of an enum.
+/// Names the values of an enum. Those behind `complete` are named in the complete module only.
 macro_rules! words {
     ($type:ty: $($word:literal = $variant:ident),+ $(,)?) => {
         impl $crate::json::Words for $type {
             const WORDS: &'static [(&'static str, Self)] = &[$(($word, Self::$variant)),+];
+        }
+    };
+    ($type:ty: $($word:literal = $variant:ident),+; complete: $($more:literal = $other:ident),+ $(,)?) => {
+        impl $crate::json::Words for $type {
+            const WORDS: &'static [(&'static str, Self)] = if $crate::IS_COMPLETE {
+                &[$(($word, Self::$variant),)+ $(($more, Self::$other)),+]
+            } else {
+                &[$(($word, Self::$variant)),+]
+            };
         }
     };
 }

@@ -81,6 +81,9 @@ mod wasm;
 
 pub use error::Error;
 
+/// True with the cargo feature `complete`. What only branches on it lead to is in no file of the other module.
+pub(crate) const IS_COMPLETE: bool = cfg!(feature = "complete");
+
 /// Runs the README's Rust lines.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

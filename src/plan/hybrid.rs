@@ -125,7 +125,7 @@ impl HybridEngine {
         #[cfg(feature = "complete")]
         {
             self.scratch.record(None);
-            plan.recorded = report.recorded.take().map(|poses| Box::new(Recorded::Poses(poses)));
+            plan.recorded = report.recorded.take().map(|poses| Box::new(Recorded::Poses(*poses)));
         }
         (plan, report)
     }

@@ -34,7 +34,6 @@ pub(super) fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) 
                 gap.width, geometry.vehicle.width
             )
         }
-        #[cfg(feature = "complete")]
         Status::NoRoom => format!(
             "No way through: the body would not fit even if it could move sideways and turn on the spot.{near}"
         ),

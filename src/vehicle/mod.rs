@@ -21,6 +21,7 @@ pub mod library;
 
 use serde::Serialize;
 
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose, math};
 
@@ -87,8 +88,7 @@ impl Vehicle {
         match name {
             "paper" => Some(Self::PAPER),
             "sedan" => Some(Self::SEDAN),
-            #[cfg(feature = "complete")]
-            "ship" => Some(Self::SHIP),
+            "ship" if IS_COMPLETE => Some(Self::SHIP),
             _ => None,
         }
     }
@@ -218,7 +218,6 @@ mod tests {
     fn profiles_turn_in_the_stated_radius() {
         assert!((Vehicle::PAPER.min_turning_radius() - 5.408_275_004_188_978).abs() < 1e-12);
         assert!((Vehicle::SEDAN.min_turning_radius() - 5.5).abs() < 1e-9);
-        #[cfg(feature = "complete")]
         assert!((Vehicle::SHIP.min_turning_radius() - 144.0).abs() < 1e-9 && Vehicle::SHIP.length() == 72.0);
     }
 

@@ -159,7 +159,7 @@ pub(super) fn search(
         let (found, recorded) =
             record_bidirectional_best_first(sides, limits, &mut cheapest, &mut observer, limit);
         let sides = [(&first, ends[0]), (&second, ends[1])];
-        report.recorded = Some(PoseRecording::new(&sides, search.origin(), recorded));
+        report.recorded = Some(PoseRecording::new(&sides, search.origin(), recorded).into());
         found
     } else {
         let mut trees = [

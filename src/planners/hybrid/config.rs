@@ -10,13 +10,11 @@
 //! they are for.
 
 use super::profile::Profile;
+use crate::IS_COMPLETE;
 use crate::json;
 use crate::planners::parameters::{Form, parameters, spec};
 
-#[cfg(not(feature = "complete"))]
-const ENDS: &[&str] = &["goal", "start"];
-#[cfg(feature = "complete")]
-const ENDS: &[&str] = &["goal", "start", "both"];
+const ENDS: &[&str] = if IS_COMPLETE { &["goal", "start", "both"] } else { &["goal", "start"] };
 
 /// Which end the first search grows from. Where it finds nothing, finer ones grow from the end that is hard to leave.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -28,14 +26,10 @@ pub enum SearchFrom {
     /// From the start, the traditional way.
     Start,
     /// From both ends, the paper's flowchart.
-    #[cfg(feature = "complete")]
     Both,
 }
 
-#[cfg(not(feature = "complete"))]
-json::words!(SearchFrom: "goal" = Goal, "start" = Start);
-#[cfg(feature = "complete")]
-json::words!(SearchFrom: "goal" = Goal, "start" = Start, "both" = Both);
+json::words!(SearchFrom: "goal" = Goal, "start" = Start; complete: "both" = Both);
 
 /// How the way still to go is estimated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -173,7 +167,6 @@ impl Config {
     }
 
     /// The tree of both ends.
-    #[cfg(feature = "complete")]
     pub fn bidirectional() -> Self {
         Self { search_from: SearchFrom::Both, ..Self::default() }
     }
@@ -257,7 +250,6 @@ pub(super) struct Level {
     /// Turn of a rock, radians; 0 where the car does not rock.
     pub(super) rock: f64,
     /// True if two trees grow, one from each end.
-    #[cfg(feature = "complete")]
     pub(super) is_from_both: bool,
 }
 
@@ -354,7 +346,6 @@ impl Config {
             connect_every,
             shuffle,
             rock: 0.0,
-            #[cfg(feature = "complete")]
             is_from_both: self.search_from == SearchFrom::Both,
         };
         if shuffle {

@@ -35,6 +35,7 @@ use super::obstacle_heuristic::ObstacleHeuristic;
 use super::pose_heuristic::PoseHeuristic;
 use super::state::State;
 use super::state_index::StateIndex;
+use crate::IS_COMPLETE;
 use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Pose, math};
@@ -81,7 +82,6 @@ pub(super) struct StateLattice<'a> {
     /// Costs from poses to the target, where the search is guided by them.
     poses: Option<&'a PoseHeuristic>,
     /// The poses that a search with many roots begins from, all at no cost; none where it begins from one.
-    #[cfg(feature = "complete")]
     roots: &'a [Pose],
     pub(super) mirrored: bool,
     recorder: Option<&'a RefCell<Recorder>>,
@@ -109,7 +109,6 @@ pub(super) struct Setting<'a> {
     pub(super) mirrored: bool,
     pub(super) recorder: Option<&'a RefCell<Recorder>>,
     pub(super) poses: Option<&'a PoseHeuristic>,
-    #[cfg(feature = "complete")]
     pub(super) roots: &'a [Pose],
 }
 
@@ -146,7 +145,6 @@ impl<'a> StateLattice<'a> {
             margin,
             max_changes: config.max_direction_changes,
             poses: setting.poses,
-            #[cfg(feature = "complete")]
             roots: setting.roots,
             mirrored: setting.mirrored,
             recorder: setting.recorder,
@@ -163,8 +161,7 @@ impl<'a> StateLattice<'a> {
     /// The node that a search from `pose` begins at; with many roots none of them, but one before all of them.
     pub(super) fn root(&self, pose: Pose) -> (NodeId, State) {
         let state = |pose| State { pose, ..State::default() };
-        #[cfg(feature = "complete")]
-        if !self.roots.is_empty() {
+        if IS_COMPLETE && !self.roots.is_empty() {
             let node = self.keys.borrow_mut().id(NO_CELL);
             // No path from any of them is cheaper than the least estimate.
             let estimates: Vec<f64> =
@@ -174,9 +171,8 @@ impl<'a> StateLattice<'a> {
         (self.node(pose, 0), state(pose))
     }
 
-    #[cfg(feature = "complete")]
     pub(super) fn is_before_roots(&self, at: &Visit<f64, State>) -> bool {
-        at.parent.is_none() && !self.roots.is_empty()
+        IS_COMPLETE && at.parent.is_none() && !self.roots.is_empty()
     }
 
     /// The number of a state's lattice cell.
@@ -290,7 +286,6 @@ impl Domain for StateLattice<'_> {
     }
 
     fn successors<S: Relax<f64, State>>(&self, from: Visit<f64, State>, sink: &mut S) {
-        #[cfg(feature = "complete")]
         if self.is_before_roots(&from) {
             for &pose in self.roots {
                 sink.emit(self.node(pose, 0), 0.0, State { pose, ..State::default() });
@@ -305,8 +300,7 @@ impl Domain for StateLattice<'_> {
                 sink.emit(node, cost + self.costs.places(self.checker, pose, &arc), to);
             }
         }
-        #[cfg(feature = "complete")]
-        if self.level.rock > 0.0 {
+        if IS_COMPLETE && self.level.rock > 0.0 {
             self.rock(from, sink);
         }
     }
@@ -329,16 +323,14 @@ impl Domain for StateLattice<'_> {
                 }
             }
         };
-        #[cfg(feature = "complete")]
         let h = match self.poses {
-            Some(poses) if h.is_finite() => poses.cost(at, label.motion.gear, h),
+            Some(poses) if IS_COMPLETE && h.is_finite() => poses.cost(at, label.motion.gear, h),
             _ => h,
         };
         h * self.level.weight
     }
 
     fn finish(&mut self, at: Visit<f64, State>, bound: f64) -> Option<Finish<f64, Word>> {
-        #[cfg(feature = "complete")]
         if self.is_before_roots(&at) {
             return None;
         }

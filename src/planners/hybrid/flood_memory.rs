@@ -8,6 +8,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::flood::{Flood, Room};
+use crate::IS_COMPLETE;
 use crate::map::Cell;
 
 /// Floods that several planners share, from ways in and out of each of two entrances: those of the scene and of one
@@ -41,8 +42,7 @@ impl FloodMemory {
             return known;
         }
         let ground = self.find(&|flood| flood.ground.serves(room)).map(|flood| flood.ground);
-        #[cfg(feature = "complete")]
-        if let Some(original) = room.obstacles.original() {
+        if IS_COMPLETE && let Some(original) = room.obstacles.original() {
             let known = self.flood(&Room { obstacles: &original.obstacles, ..*room }, source);
             let ground = ground.unwrap_or_else(|| Arc::new(room.ground_from(&known.ground, original.change)));
             return self.kept(if original.is_freer {

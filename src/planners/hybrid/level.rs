@@ -24,12 +24,12 @@ use super::config::Level;
 use super::domain::{Setting, StateLattice};
 use super::profile::FEW_CHANGES;
 use super::question::{Search, Work};
-#[cfg(feature = "complete")]
 use super::recording::PoseRecording;
 use super::report::Status;
 use super::shortcut;
 use super::state::{self, State};
 use super::tree::Tree;
+use crate::IS_COMPLETE;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::math;
 use crate::search::record_best_first;
@@ -69,7 +69,6 @@ pub(super) enum First {
 
 impl Search<'_> {
     /// Searches the first level; tells whether there is a path. `other` is the same question from the other end.
-    #[cfg_attr(feature = "complete", inline(never))]
     pub(super) fn first(&self, other: &dyn Fn() -> Option<Self>, level: Level, work: &mut Work) -> First {
         let weight = self.config.heuristic_weight.unwrap_or(if self.tight {
             TIGHT_RETRY_WEIGHT
@@ -208,12 +207,8 @@ impl Search<'_> {
         }
         let tree = self.trace.then(|| Tree::new(self, work.progress.as_ref()));
         let recorder = self.trace.then(|| RefCell::new(Recorder::new(self.origin())));
-        #[cfg(feature = "complete")]
-        {
-            (work.report.from_goal, work.report.resolution) = (self.mirrored, (level.xy, level.yaw));
-        }
-        #[cfg(feature = "complete")]
-        if level.is_from_both && !level.shuffle && self.goals.is_empty() {
+        (work.report.from_goal, work.report.resolution) = (self.mirrored, (level.xy, level.yaw));
+        if IS_COMPLETE && level.is_from_both && !level.shuffle && self.goals.is_empty() {
             let mut tree = tree;
             let found = super::bidirectional::search(self, level, work, &mut tree, recorder.as_ref());
             work.report.keep(tree, recorder.as_ref());
@@ -231,7 +226,6 @@ impl Search<'_> {
             mirrored: self.mirrored,
             recorder: recorder.as_ref(),
             poses: self.poses,
-            #[cfg(feature = "complete")]
             roots: self.goals,
         };
         let mut lattice =
@@ -240,13 +234,11 @@ impl Search<'_> {
             Limits { max_expansions: level.max_expansions, first: self.config.first_shot || level.shuffle };
         let root = lattice.root(self.root);
         let mut observer = (tree, progress.as_mut());
-        #[cfg(not(feature = "complete"))]
-        let found = best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer);
-        #[cfg(feature = "complete")]
-        let found = if let Some(limit) = scratch.recorded_steps {
+        let found = if IS_COMPLETE && let Some(limit) = scratch.recorded_steps {
             let (found, recorded) =
                 record_best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer, limit);
-            report.recorded = Some(PoseRecording::new(&[(&lattice, root.1.pose)], self.origin(), recorded));
+            let poses = PoseRecording::new(&[(&lattice, root.1.pose)], self.origin(), recorded);
+            report.recorded = Some(poses.into());
             found
         } else {
             best_first(&mut lattice, root, limits, &mut scratch.search, &mut observer)

@@ -20,19 +20,15 @@
 //! ([`Status`]).
 
 mod analytic_expansion;
-#[cfg(feature = "complete")]
 mod anchor;
-#[cfg(feature = "complete")]
 mod bidirectional;
 mod bottleneck;
-#[cfg(feature = "complete")]
 mod choices;
 mod config;
 mod cost;
 mod domain;
 mod flood;
 mod flood_memory;
-#[cfg(feature = "complete")]
 mod goals;
 mod holonomic;
 mod level;
@@ -42,7 +38,6 @@ mod portfolio;
 mod pose_heuristic;
 mod profile;
 mod question;
-#[cfg(feature = "complete")]
 mod recording;
 mod report;
 mod rivals;
@@ -53,18 +48,13 @@ mod tree;
 mod widest;
 
 pub use analytic_expansion::FailedExpansions;
-#[cfg(feature = "complete")]
 pub use anchor::{Last, stay};
-#[cfg(feature = "complete")]
 pub use choices::{Prefer, choices};
 pub use config::{Config, Heuristic, SearchFrom};
-#[cfg(feature = "complete")]
 pub use flood_memory::FloodMemory;
-#[cfg(feature = "complete")]
 pub use goals::{goal_of, plan_any, with_room};
 pub use profile::Profile;
 pub use question::{Query, Scratch, obstacles};
-#[cfg(feature = "complete")]
 pub use recording::PoseRecording;
 pub use report::{Report, Status};
 
@@ -72,6 +62,7 @@ use portfolio::Floods;
 use question::{MIN_MARGIN, Search, TIGHT_CLEARANCE, Work};
 
 use super::{Gap, Obstruction};
+use crate::IS_COMPLETE;
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Pose, math, reeds_shepp};
 use crate::search::Progress;
@@ -114,8 +105,10 @@ pub fn plan(
     progress: &mut Option<Progress>,
 ) -> Report {
     let report = search_alone(query, config, scratch, trace, progress);
-    #[cfg(feature = "complete")]
-    let report = rivals::compare(query, config, report, &mut |rival, before| {
+    if !IS_COMPLETE {
+        return report;
+    }
+    rivals::compare(query, config, report, &mut |rival, before| {
         if let Some(progress) = progress {
             if progress.is_stopped() {
                 return None;
@@ -123,12 +116,10 @@ pub fn plan(
             progress.continue_after(before);
         }
         Some(search_alone(query, rival, scratch, trace, progress))
-    });
-    report
+    })
 }
 
 /// The answer of the portfolio under these settings alone.
-#[cfg_attr(feature = "complete", inline(never))]
 fn search_alone(
     query: &Query,
     config: &Config,
@@ -240,7 +231,6 @@ impl Local<'_> {
                 tight: room.is_tight,
                 trace,
                 poses: None,
-                #[cfg(feature = "complete")]
                 goals: &[],
             };
             portfolio::plan(search, &floods, widest, work);

@@ -14,6 +14,7 @@ use super::pose_heuristic::PoseHeuristic;
 use super::report::Report;
 use super::state::State;
 use super::state_index::StateIndex;
+use crate::IS_COMPLETE;
 use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::geometry::arcs::Arc;
@@ -115,7 +116,6 @@ pub(super) struct Search<'a> {
     /// The costs from poses to `target`, where the search is guided by them.
     pub(super) poses: Option<&'a PoseHeuristic>,
     /// Of several goals, those that are searched from at once; `goal` is then the one that the path at hand comes from.
-    #[cfg(feature = "complete")]
     pub(super) goals: &'a [Pose],
 }
 
@@ -132,11 +132,9 @@ impl<'a> Search<'a> {
 
     /// The same question, asked of the one goal at which a path ends.
     pub(super) fn arrived(&self, arcs: &[Arc]) -> Self {
-        #[cfg(feature = "complete")]
-        if !self.goals.is_empty() {
+        if IS_COMPLETE && !self.goals.is_empty() {
             return Self { goal: self.goals[nearest(self.goals, arcs::end(self.start, arcs))], ..*self };
         }
-        let _ = arcs;
         *self
     }
 

@@ -6,7 +6,6 @@
 //! of poses in time, clearances or words.
 
 use super::analytic_expansion::FailedExpansions;
-#[cfg(feature = "complete")]
 use super::recording::PoseRecording;
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
@@ -30,7 +29,6 @@ pub enum Status {
     /// A place on every way is narrower than the body; in world coordinates.
     TooNarrow(Gap),
     /// The body would not fit through if it moved in any direction and turned on the spot.
-    #[cfg(feature = "complete")]
     NoRoom,
     /// Some level was searched to its end with the least margin.
     NoPath,
@@ -61,11 +59,10 @@ impl Status {
             Self::GoalInCollision(_) => Outcome::GoalBlocked,
             Self::Unreachable
             | Self::TooNarrow(_)
+            | Self::NoRoom
             | Self::NoPath
             | Self::BoxedIn { .. }
             | Self::VerificationFailed => Outcome::NoPath,
-            #[cfg(feature = "complete")]
-            Self::NoRoom => Outcome::NoPath,
             Self::BudgetExhausted(_) => Outcome::BudgetSpent,
         }
     }
@@ -76,7 +73,6 @@ impl Status {
             Self::Suboptimal => Some(Detail::Suboptimal),
             Self::Unreachable => Some(Detail::Unreachable),
             Self::TooNarrow(_) => Some(Detail::TooNarrow),
-            #[cfg(feature = "complete")]
             Self::NoRoom => Some(Detail::NoRoom),
             Self::BoxedIn { .. } => Some(Detail::BoxedIn),
             Self::VerificationFailed => Some(Detail::VerificationFailed),
@@ -121,8 +117,7 @@ pub struct Report {
     /// Connections that hit something, of the same search.
     pub failed_expansions: FailedExpansions,
     /// The events of the same search, where [`Scratch::record`](super::Scratch::record) asks for them.
-    #[cfg(feature = "complete")]
-    pub recorded: Option<PoseRecording>,
+    pub recorded: Option<Box<PoseRecording>>,
 }
 
 impl Report {
@@ -144,7 +139,6 @@ impl Report {
             tree: Vec::new(),
             tree_dropped: 0,
             failed_expansions: FailedExpansions::default(),
-            #[cfg(feature = "complete")]
             recorded: None,
         }
     }

@@ -1,6 +1,7 @@
 //! What a node of the search keeps, and the arcs between nodes.
 
 use super::cost::Motion;
+use crate::IS_COMPLETE;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::Word;
@@ -22,14 +23,11 @@ pub(super) fn path(chain: &[(NodeId, State)], tail: &Word, radius: f64) -> Vec<A
 
 /// The arcs between the nodes of a chain, one each.
 pub(super) fn tree_arcs(chain: &[(NodeId, State)]) -> impl Iterator<Item = Arc> {
-    let arc = |s: &State| Arc { curvature: s.motion.curvature, length: s.length };
-    #[cfg(feature = "complete")]
-    return chain[1..].iter().flat_map(move |(_, s)| {
-        let plain = if s.motion.is_rock { 0 } else { 2 };
-        rock_arcs(arc(s)).into_iter().skip(plain)
-    });
-    #[cfg(not(feature = "complete"))]
-    chain[1..].iter().map(move |(_, s)| arc(s))
+    chain[1..].iter().flat_map(|(_, s)| {
+        let arc = Arc { curvature: s.motion.curvature, length: s.length };
+        let is_rock = IS_COMPLETE && s.motion.is_rock;
+        rock_arcs(arc).into_iter().skip(if is_rock { 0 } else { 2 })
+    })
 }
 
 /// The three arcs of a rock whose first and last arc this is.

@@ -6,6 +6,7 @@ use super::analytic_expansion::Recorder;
 use super::question::Search;
 use super::report::Report;
 use super::state::State;
+use crate::IS_COMPLETE;
 use crate::geometry::Pose;
 use crate::search::{ExpansionCallback, Expansions};
 use crate::search::{NodeId, Observer, Progress};
@@ -25,36 +26,27 @@ pub(super) struct Tree<'a> {
     mirrored: bool,
     /// Those of the numbers that `tell` knows.
     told: usize,
-    #[cfg(feature = "complete")]
     tell: Option<ExpansionCallback<'a>>,
-    #[cfg(not(feature = "complete"))]
-    tell: core::marker::PhantomData<&'a ()>,
 }
 
 impl<'a> Tree<'a> {
     /// For a search whose tree is to be kept; its expansions are told to `progress`.
     pub(super) fn new(search: &Search, progress: Option<&Progress<'a>>) -> Self {
-        #[cfg(not(feature = "complete"))]
-        let _ = progress;
         Self {
             arcs: Vec::new(),
             dropped: 0,
             origin: search.origin(),
             mirrored: search.mirrored,
             told: 0,
-            #[cfg(feature = "complete")]
             tell: progress.and_then(|progress| progress.expansions),
-            #[cfg(not(feature = "complete"))]
-            tell: core::marker::PhantomData,
         }
     }
 }
 
 impl Tree<'_> {
     /// Tells what is not told yet.
-    #[cfg(feature = "complete")]
     fn flush(&mut self) {
-        if let Some(tell) = self.tell.filter(|_| self.told < self.arcs.len()) {
+        if IS_COMPLETE && let Some(tell) = self.tell.filter(|_| self.told < self.arcs.len()) {
             tell(Expansions { is_first: self.told == 0, nodes: &[], numbers: &self.arcs[self.told..] });
             self.told = self.arcs.len();
         }
@@ -79,8 +71,7 @@ impl Observer<f64, State> for Tree<'_> {
             if self.mirrored { (at.pose, -length) } else { (at.pose.advance(curvature, -length), length) };
         let (x, y) = (from.x + self.origin.x, from.y + self.origin.y);
         self.arcs.extend([x, y, from.heading, curvature, length]);
-        #[cfg(feature = "complete")]
-        if self.arcs.len() - self.told == TOLD_ARCS * ARC {
+        if IS_COMPLETE && self.arcs.len() - self.told == TOLD_ARCS * ARC {
             self.flush();
         }
     }
@@ -89,13 +80,8 @@ impl Observer<f64, State> for Tree<'_> {
 impl Report {
     /// Keeps what was written down for drawing.
     pub(super) fn keep(&mut self, tree: Option<Tree>, recorder: Option<&RefCell<Recorder>>) {
-        if let (Some(tree), Some(recorder)) = (tree, recorder) {
-            #[cfg(feature = "complete")]
-            let tree = {
-                let mut tree = tree;
-                tree.flush();
-                tree
-            };
+        if let (Some(mut tree), Some(recorder)) = (tree, recorder) {
+            tree.flush();
             (self.tree, self.tree_dropped) = (tree.arcs, tree.dropped);
             self.failed_expansions = core::mem::take(&mut recorder.borrow_mut().failed);
         }

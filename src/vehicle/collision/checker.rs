@@ -13,6 +13,7 @@ use std::cell::Cell as Counter;
 use super::Corridor;
 use super::Obstacles;
 use super::obstacles::segment_distance;
+use crate::IS_COMPLETE;
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Point, Pose, math};
 use crate::map::WeightMap;
@@ -141,7 +142,7 @@ impl<'a> CollisionChecker<'a> {
 
     /// True if an arc stays within the corridor, if there is one.
     pub(super) fn corridor_holds(&self, from: Pose, arc: &Arc) -> bool {
-        self.corridor.is_none_or(|corridor| corridor.holds_arc(from, arc))
+        !IS_COMPLETE || self.corridor.is_none_or(|corridor| corridor.holds_arc(from, arc))
     }
 
     /// True if the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
@@ -149,7 +150,6 @@ impl<'a> CollisionChecker<'a> {
     /// The end is tested first: it is the farthest from what is known to be free. Where the body has room, the poses
     /// that the room covers are free without a test.
     pub fn arc_free(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> bool {
-        #[cfg(feature = "complete")]
         if !self.corridor_holds(from, arc) {
             return false;
         }

@@ -34,12 +34,10 @@ mod obstacles;
 mod reach;
 #[cfg(test)]
 mod tests;
-#[cfg(feature = "complete")]
 mod variant;
 
 pub use checker::CollisionChecker;
 pub use corridor::Corridor;
-#[cfg(feature = "complete")]
 pub use obstacles::Original;
 pub use obstacles::{Edge, Obstacles, Solid};
 pub use reach::{Reach, Sampling};

@@ -75,12 +75,10 @@ pub struct Obstacles {
     /// Weights of the floor; `None` if all cells cost the same.
     paint: Option<WeightMap>,
     /// Other obstacles, of which these are a variant.
-    #[cfg(feature = "complete")]
     pub(super) original: Option<Original>,
 }
 
 /// The obstacles of which others are a variant.
-#[cfg(feature = "complete")]
 #[derive(Debug)]
 pub struct Original {
     /// They have the same lattice.
@@ -130,7 +128,6 @@ impl Obstacles {
             field,
             fingerprint,
             paint: None,
-            #[cfg(feature = "complete")]
             original: None,
         };
         obstacles.fill_buckets();

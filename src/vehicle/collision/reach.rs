@@ -74,7 +74,6 @@ impl Reach {
     /// True if the body is free along an arc from the pose, at full lock or straight: at every sample and at its end.
     #[inline(never)]
     pub fn is_free(&mut self, checker: &CollisionChecker, arc: &Arc) -> bool {
-        #[cfg(feature = "complete")]
         if !checker.corridor_holds(self.from, arc) {
             return false;
         }

@@ -5,9 +5,8 @@
 //! order. The coarsest search with the least margin goes early, because it reaches more than any other of its level:
 //! where it ends without a path, it rules out many others at once (`outdoes`).
 
-#[cfg(feature = "complete")]
-use crate::planners::hybrid::config::{CHEAP_CHANGE_COST, REFINEMENTS};
-use crate::planners::hybrid::config::{Config, FIRST_SHUFFLING_LEVEL, Level};
+use crate::IS_COMPLETE;
+use crate::planners::hybrid::config::{CHEAP_CHANGE_COST, Config, FIRST_SHUFFLING_LEVEL, Level, REFINEMENTS};
 
 /// With less than this a car creeps, metres.
 pub(in crate::planners::hybrid) const COMFORTABLE_MARGIN: f64 = 0.03;
@@ -19,24 +18,18 @@ pub(super) const MANY_CHANGES: u32 = 4;
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const LAST_CHEAP_LEVEL: u32 = 3;
 /// The finer of the levels that rock.
-#[cfg(feature = "complete")]
 pub(super) const FINE_ROCKING_LEVEL: u32 = 3;
 /// The level that is refined.
 const FINEST_PLAIN_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
 /// Weight of the estimate where a search is greedy, and its expansions.
-#[cfg(feature = "complete")]
 const GREEDY: (f64, u32) = (4.0, 100_000);
 /// The same where a coarse search of the poses guides, …
-#[cfg(feature = "complete")]
 const GUIDED: (f64, u32) = (4.0, 60_000);
 /// … in a search from the other end, …
-#[cfg(feature = "complete")]
 const FAR: (f64, u32) = (3.0, 60_000);
 /// … and in those that are asked when others have spent their work in vain.
-#[cfg(feature = "complete")]
 const DOGGED: (f64, u32) = (3.0, 130_000);
 /// What a gear change costs in them, metres.
-#[cfg(feature = "complete")]
 const DOGGED_CHANGE_COST: f64 = 0.5;
 /// Expansions of each search that rocks from the hard end, …
 const ROCKING_EXPANSIONS: u32 = 100_000;
@@ -49,10 +42,8 @@ pub(super) enum From {
     /// The end that is hard to leave.
     Hard,
     /// The other end.
-    #[cfg(feature = "complete")]
     Far,
     /// Two trees, one from each.
-    #[cfg(feature = "complete")]
     Both,
 }
 
@@ -62,19 +53,14 @@ pub(super) enum Style {
     /// As the level says.
     Plain,
     /// Follows the estimate more than its level does.
-    #[cfg(feature = "complete")]
     Greedy,
     /// Guided by a coarse search of the poses.
-    #[cfg(feature = "complete")]
     Guided,
     /// The car may rock: turn nearly on the spot.
-    #[cfg(feature = "complete")]
     Rocking,
     /// Goes on for long, and gear changes cost little.
-    #[cfg(feature = "complete")]
     Dogged,
     /// On one of the lattices that are finer than the level's, from 1 on.
-    #[cfg(feature = "complete")]
     Refined(usize),
 }
 
@@ -93,29 +79,26 @@ impl Member {
     /// What it searches.
     pub(super) fn level(self, config: &Config, is_least: bool) -> Level {
         let level = config.level(self.level);
+        if IS_COMPLETE && (self.from, self.style) != (From::Hard, Style::Plain) {
+            return self.open_space_level(level, config);
+        }
+        // What it saves on rocking is less than it costs on detours.
+        if self.level == 1 && is_least { Level { extra_change: 0.0, ..level } } else { level }
+    }
+
+    /// The level with the prices and the budget of a style, or of a search from the other end.
+    fn open_space_level(self, level: Level, config: &Config) -> Level {
         match self.style {
-            #[cfg(feature = "complete")]
             Style::Greedy => level.within(GREEDY, config),
-            #[cfg(feature = "complete")]
             Style::Guided => level.with_change(CHEAP_CHANGE_COST, config).within(GUIDED, config),
-            #[cfg(feature = "complete")]
             Style::Dogged => level.with_change(DOGGED_CHANGE_COST, config).within(DOGGED, config),
-            #[cfg(feature = "complete")]
             Style::Rocking => self.rocking_level(level, config),
-            #[cfg(feature = "complete")]
             Style::Refined(number) => level.refined(number, config),
-            #[cfg(feature = "complete")]
-            Style::Plain if self.from == From::Far => {
-                level.with_change(CHEAP_CHANGE_COST, config).within(FAR, config)
-            }
-            // What it saves on rocking is less than it costs on detours.
-            Style::Plain if self.level == 1 && is_least => Level { extra_change: 0.0, ..level },
-            Style::Plain => level,
+            Style::Plain => level.with_change(CHEAP_CHANGE_COST, config).within(FAR, config),
         }
     }
 
     /// The level with shorter moves and rocks, and the budget of its kind.
-    #[cfg(feature = "complete")]
     fn rocking_level(self, level: Level, config: &Config) -> Level {
         let most = if self.from == From::Both { BOTH_EXPANSIONS } else { ROCKING_EXPANSIONS };
         let max_expansions = config.max_expansions.map_or(most, |asked| most.min(asked));
@@ -125,11 +108,7 @@ impl Member {
 
     /// True if it is for a car that can hardly move.
     pub(super) fn is_last_resort(self) -> bool {
-        #[cfg(feature = "complete")]
-        if let Style::Refined(_) = self.style {
-            return true;
-        }
-        self.level >= FIRST_SHUFFLING_LEVEL
+        self.level >= FIRST_SHUFFLING_LEVEL || (IS_COMPLETE && matches!(self.style, Style::Refined(_)))
     }
 
     /// True if a search that this one has ended without a way leaves no hope for `other`: coarser ones reach no more,
@@ -146,14 +125,11 @@ impl Style {
     /// True if what a search in this style cannot reach, none in the other can.
     fn outdoes(self, other: Self) -> bool {
         match (self, other) {
+            _ if !IS_COMPLETE => true,
             // In another order other poses stand for the cells: neither proves anything for those in a usual one.
-            #[cfg(feature = "complete")]
             (Self::Guided, _) => other == Self::Guided,
-            #[cfg(feature = "complete")]
             (Self::Dogged, _) | (_, Self::Dogged) => false,
-            #[cfg(feature = "complete")]
             (_, Self::Refined(other)) => matches!(self, Self::Refined(this) if this >= other),
-            #[cfg(feature = "complete")]
             (_, Self::Rocking) => self == Self::Rocking,
             _ => true,
         }
@@ -172,16 +148,13 @@ pub(super) fn plain(level: u32, margin: usize) -> Member {
 pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member> {
     let least = margins.len() - 1;
     let mut members = Vec::new();
-    #[cfg(feature = "complete")]
     let mut finer = refined(levels, widest, margins);
     for level in 1..levels {
-        #[cfg(feature = "complete")]
         if level > FIRST_SHUFFLING_LEVEL {
             members.extend(finer.next());
         }
         members.extend((widest..=least).map(|margin| plain(level, margin)));
     }
-    #[cfg(feature = "complete")]
     members.extend(finer);
     // Sorted by level and margin before.
     arrange(&mut members, &|&Member { level, margin, .. }| {
@@ -201,12 +174,12 @@ pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member
 
 /// The members with ever finer lattices and the least margin with which a car need not creep. A car that gains
 /// millimetres with each gear change never leaves the cell of a coarser one, which is then soon searched to its end.
-#[cfg(feature = "complete")]
 fn refined(levels: u32, widest: usize, margins: &[f64]) -> impl Iterator<Item = Member> {
     let comfortable = margins.iter().rposition(|&margin| margin >= COMFORTABLE_MARGIN);
     let margin = comfortable.filter(|&margin| margin >= widest && levels > FIRST_SHUFFLING_LEVEL);
     let refined =
         |margin| move |number| Member { style: Style::Refined(number), ..plain(FINEST_PLAIN_LEVEL, margin) };
+    let margin = margin.filter(|_| IS_COMPLETE);
     margin.into_iter().flat_map(move |margin| (1..=REFINEMENTS).map(refined(margin)))
 }
 

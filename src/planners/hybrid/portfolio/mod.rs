@@ -17,19 +17,17 @@
 
 mod floods;
 mod members;
-#[cfg(feature = "complete")]
 mod open_space;
-#[cfg(feature = "complete")]
 mod second_look;
 mod turns;
 
 pub(super) use floods::Floods;
-#[cfg(feature = "complete")]
 pub(super) use members::COMFORTABLE_MARGIN;
 
 use super::config::SearchFrom;
 use super::level::First;
 use super::question::{Search, Work};
+use crate::IS_COMPLETE;
 use turns::Turns;
 
 /// Finds a path with the largest margin that some member keeps, or why there is none. `widest` is the largest margin to
@@ -43,6 +41,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
         return;
     }
     Turns::new(search, floods, widest, first == First::Cramped).take(work);
-    #[cfg(feature = "complete")]
-    second_look::look_again(search, floods, work);
+    if IS_COMPLETE {
+        second_look::look_again(search, floods, work);
+    }
 }

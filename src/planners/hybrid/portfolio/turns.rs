@@ -17,8 +17,8 @@ use core::cell::OnceCell;
 
 use super::floods::Floods;
 use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, From, MANY_CHANGES, Member, Style, arrange, members};
-#[cfg(feature = "complete")]
 use super::open_space;
+use crate::IS_COMPLETE;
 use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::planners::hybrid::config::{Level, SearchFrom};
@@ -38,10 +38,8 @@ const MORE_MARGIN_EXPANSIONS: u32 = 200_000;
 /// many gear changes, or no way.
 const WIDE_SEARCH_POSES: u32 = 1000;
 /// Expansions of all members together where the first of those for open space are asked, …
-#[cfg(feature = "complete")]
 const OPEN_TOTAL_EXPANSIONS: u32 = 360_000;
 /// … and of the last alone.
-#[cfg(feature = "complete")]
 const LAST_EXPANSIONS: u32 = 300_000;
 
 /// Which members take turns.
@@ -53,7 +51,6 @@ enum Stage {
     /// be spent was spent.
     OpenSpace { in_vain: bool },
     /// The last for open space: one of the first has spent its work in vain.
-    #[cfg(feature = "complete")]
     Last,
 }
 
@@ -69,7 +66,6 @@ enum Turn {
 }
 
 /// True if the body could get to the other end if it moved in any direction.
-#[cfg(feature = "complete")]
 enum Hope {
     Unasked,
     Some,
@@ -84,11 +80,9 @@ pub(super) struct Turns<'a> {
     /// True if the trees grow from the other end.
     is_swapped: bool,
     /// True if they may grow from either end.
-    #[cfg(feature = "complete")]
     may_swap: bool,
     members: Vec<Member>,
     /// The largest margin to try.
-    #[cfg(feature = "complete")]
     widest: usize,
     /// Expansions of all members together.
     effort: u32,
@@ -99,10 +93,8 @@ pub(super) struct Turns<'a> {
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
     /// True if the body could get there if it moved in any direction.
-    #[cfg(feature = "complete")]
     hope: Hope,
     /// The costs from poses to either end, made when they are needed first.
-    #[cfg(feature = "complete")]
     poses: [OnceCell<PoseHeuristic>; 2],
     /// What the last search from the hard end told that came to its end with the least margin.
     proof: Option<Report>,
@@ -116,18 +108,14 @@ impl<'a> Turns<'a> {
             search,
             floods,
             is_swapped,
-            #[cfg(feature = "complete")]
             may_swap: search.config.search_from == SearchFrom::Goal,
             members: members(levels, widest, &floods.margins),
-            #[cfg(feature = "complete")]
             widest,
             effort: TOTAL_EXPANSIONS,
             best: None,
             stage: Stage::Levels,
             doubt: None,
-            #[cfg(feature = "complete")]
             hope: Hope::Unasked,
-            #[cfg(feature = "complete")]
             poses: Default::default(),
             proof: None,
         }
@@ -136,8 +124,7 @@ impl<'a> Turns<'a> {
     /// Takes all turns; what came of them is in `work.report`.
     pub(super) fn take(mut self, work: &mut Work) {
         self.rounds(work);
-        #[cfg(feature = "complete")]
-        {
+        if IS_COMPLETE {
             work.report.stats.bytes +=
                 self.poses.iter().filter_map(OnceCell::get).map(PoseHeuristic::bytes).sum::<u64>();
         }
@@ -153,63 +140,59 @@ impl<'a> Turns<'a> {
         for round in 0_u32.. {
             // Everybody before this one has spent a slice in this round.
             let mut at = 0;
-            while let Some(&member) = self.members.get(at).filter(|_| at <= round as usize) {
-                let before = work.report.stats.expanded;
+            while at < self.members.len() && at <= round as usize {
                 if work.progress.as_ref().is_some_and(Progress::is_stopped) {
                     return;
                 }
-                if before >= self.effort {
-                    #[cfg(feature = "complete")]
-                    if self.next_stage(work) {
-                        at = 0;
-                        continue;
+                if work.report.stats.expanded >= self.effort {
+                    if !self.next_stage(work) {
+                        return;
                     }
-                    return;
+                    at = 0;
+                    continue;
                 }
-                let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
-                let slice =
-                    if self.stage == Stage::Levels { FIRST_SLICE.saturating_mul(growth) } else { u32::MAX };
-                let turn = self.turn(member, slice.min(self.effort - before), work);
-                let expanded = work.report.stats.expanded - before;
-                if let (Stage::OpenSpace { in_vain }, Turn::Spent | Turn::Lost) = (&mut self.stage, &turn) {
-                    *in_vain = true;
-                }
-                at = match turn {
-                    Turn::Spent if self.may_ask_proof(member) => {
-                        self.members.swap(0, 1);
-                        0
-                    }
-                    Turn::Spent => at + 1,
-                    Turn::Lost => {
-                        self.doubt = Some(work.report.status);
-                        self.drop(at, |_| false)
-                    }
-                    Turn::Exhausted => self.exhausted(at, expanded, work.report),
-                    Turn::Found => self.found(at, work.report),
-                };
-                #[cfg(feature = "complete")]
-                if matches!((self.stage, &self.hope), (Stage::OpenSpace { .. }, Hope::Unasked))
-                    && self.is_hopeless(work)
-                {
+                at = self.turn(at, round, work);
+                let is_unasked = matches!((self.stage, &self.hope), (Stage::OpenSpace { .. }, Hope::Unasked));
+                if is_unasked && self.is_hopeless(work) {
                     return;
                 }
             }
-            #[cfg(feature = "complete")]
-            if self.members.is_empty() && self.next_stage(work) {
-                continue;
-            }
-            if self.members.is_empty() {
+            if self.members.is_empty() && !self.next_stage(work) {
                 return;
             }
         }
     }
 
+    /// The turn of the member at a place of the list in one of the rounds; tells the place of the next one.
+    fn turn(&mut self, at: usize, round: u32, work: &mut Work) -> usize {
+        let (member, before) = (self.members[at], work.report.stats.expanded);
+        let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
+        let slice = if self.stage == Stage::Levels { FIRST_SLICE.saturating_mul(growth) } else { u32::MAX };
+        let turn = self.search(member, slice.min(self.effort - before), work);
+        let expanded = work.report.stats.expanded - before;
+        if let (Stage::OpenSpace { in_vain }, Turn::Spent | Turn::Lost) = (&mut self.stage, &turn) {
+            *in_vain = true;
+        }
+        match turn {
+            Turn::Spent if self.may_ask_proof(member) => {
+                self.members.swap(0, 1);
+                0
+            }
+            Turn::Spent => at + 1,
+            Turn::Lost => {
+                self.doubt = Some(work.report.status);
+                self.drop(at, |_| false)
+            }
+            Turn::Exhausted => self.exhausted(at, expanded, work.report),
+            Turn::Found => self.found(at, work.report),
+        }
+    }
+
     /// Turns to the members for open space, where they may find a way: to the first where all that may be spent was
     /// spent in vain, and to the last where one of the first has spent its work in vain.
-    #[cfg(feature = "complete")]
     fn next_stage(&mut self, work: &mut Work) -> bool {
         match self.stage {
-            _ if self.best.is_some() => false,
+            _ if !IS_COMPLETE || self.best.is_some() => false,
             Stage::Levels if !self.members.is_empty() => {
                 self.enter_open_space();
                 !self.members.is_empty() && !self.is_hopeless(work)
@@ -225,8 +208,10 @@ impl<'a> Turns<'a> {
     }
 
     /// True if the body could not get there either if it moved in any direction; else more work is worth its while.
-    #[cfg(feature = "complete")]
     fn is_hopeless(&mut self, work: &Work) -> bool {
+        if !IS_COMPLETE {
+            return false;
+        }
         let flood = self.floods.get(self.least(), self.is_swapped);
         let search = if self.is_swapped { self.search.swapped(flood) } else { self.search };
         let car = (search.checker, search.query.vehicle);
@@ -241,8 +226,7 @@ impl<'a> Turns<'a> {
     fn enter_open_space(&mut self) {
         self.stage = Stage::OpenSpace { in_vain: false };
         self.members.clear();
-        #[cfg(feature = "complete")]
-        {
+        if IS_COMPLETE {
             let is_unproven = self.proof.is_none();
             self.members = open_space::first(self.search.config, self.least(), self.may_swap, is_unproven);
             self.effort = OPEN_TOTAL_EXPANSIONS;
@@ -300,8 +284,7 @@ impl<'a> Turns<'a> {
         let is_restless = arcs::direction_changes(&report.arcs) > MANY_CHANGES;
         let more = if is_comfortable { FIRST_SLICE } else { MORE_MARGIN_EXPANSIONS };
         self.effort = self.effort.min(report.stats.expanded.saturating_add(report.stats.expanded.max(more)));
-        #[cfg(feature = "complete")]
-        if self.stage != Stage::Levels {
+        if IS_COMPLETE && self.stage != Stage::Levels {
             self.members.extend(open_space::with_more_margin(member, self.widest..member.margin));
         }
         self.stage = Stage::Levels;
@@ -342,10 +325,8 @@ impl<'a> Turns<'a> {
     }
 
     /// One slice of a member; the answer is in `work.report`.
-    fn turn(&self, member: Member, slice: u32, work: &mut Work) -> Turn {
-        let is_swapped = self.is_swapped;
-        #[cfg(feature = "complete")]
-        let is_swapped = is_swapped != (member.from == From::Far);
+    fn search(&self, member: Member, slice: u32, work: &mut Work) -> Turn {
+        let is_swapped = self.is_swapped != (member.from == From::Far);
         let flood = self.floods.get(member.margin, is_swapped);
         let search = if is_swapped { self.search.swapped(flood) } else { Search { flood, ..self.search } };
         (work.report.margin, work.report.level) = (self.floods.margin(member.margin), member.level);
@@ -354,9 +335,11 @@ impl<'a> Turns<'a> {
             return Turn::Exhausted;
         }
         let level = member.level(search.config, self.is_least(member));
-        #[cfg(feature = "complete")]
-        let search =
-            if member.style == Style::Guided { self.guided(search, is_swapped, &level) } else { search };
+        let search = if IS_COMPLETE && member.style == Style::Guided {
+            self.guided(search, is_swapped, &level)
+        } else {
+            search
+        };
         let is_last = slice >= level.max_expansions;
         if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
             return Turn::Found;
@@ -370,7 +353,6 @@ impl<'a> Turns<'a> {
 
     /// The same search, guided by the costs from poses to its target. These are made with the least margin, once for
     /// each end: a little more margin hardly changes where the car must turn.
-    #[cfg(feature = "complete")]
     fn guided<'b>(&'b self, search: Search<'b>, is_swapped: bool, level: &Level) -> Search<'b> {
         let poses = self.poses[usize::from(is_swapped)].get_or_init(|| {
             let car = (search.checker, search.query.vehicle);
@@ -383,8 +365,7 @@ impl<'a> Turns<'a> {
 
     /// Says what came of it; the counters are those of all members.
     fn conclude(self, report: &mut Report) {
-        #[cfg(feature = "complete")]
-        if let Hope::None(nearest) = self.hope {
+        if IS_COMPLETE && let Hope::None(nearest) = self.hope {
             (report.status, report.margin) = (Status::NoRoom, self.floods.least());
             report.closest = Some(self.search.world(nearest));
             return;
