@@ -6,11 +6,12 @@ use std::{env, fs};
 
 use anyhow::{Context as _, Result};
 
-use crate::tools::{Workspace, cargo, command, node, node_tool, root, run};
+use crate::tools::{Workspace, cargo, command, linting, node, node_tool, root, run};
 use crate::{browser, site};
 
 /// The oldest Python that the wheel runs in: major, minor.
 const OLDEST: (u32, u32) = (3, 10);
+const MANIFEST: &str = "python/Cargo.toml";
 /// What is installed into the tests' environment, versions pinned.
 const REQUIREMENTS: &str = "python/requirements-test.txt";
 
@@ -84,7 +85,7 @@ pub(crate) fn wheel(arguments: &[String]) -> Result<()> {
     site::package()?;
     playground()?;
     let out = Workspace::load()?.target.join("wheels");
-    let build = ["build", "--release", "--locked", "--manifest-path", "python/Cargo.toml", "--out"];
+    let build = ["build", "--release", "--locked", "--manifest-path", MANIFEST, "--out"];
     run(environment.program("maturin").args(build).arg(out).args(arguments))
 }
 
@@ -101,14 +102,16 @@ pub(crate) fn notebooks(pictures: &[String]) -> Result<()> {
     run(drive.env("CHROME_PATH", browser::find_or_install()?))
 }
 
-/// Format and lints of the wheel's Rust; they need no Python.
+/// Format of the wheel's Rust.
+pub(crate) fn check_format() -> Result<()> {
+    run(cargo().args(["fmt", "--manifest-path", MANIFEST, "--check"]))
+}
+
+/// Lints of the wheel's Rust where there is no Python for its tests, which are built with lints.
 pub(crate) fn lint_native() -> Result<()> {
-    let manifest = ["--manifest-path", "python/Cargo.toml"];
-    run(cargo().arg("fmt").args(manifest).arg("--check"))?;
-    let target = Workspace::load()?.target.join("python");
     let mut clippy = cargo();
-    clippy.args(["clippy", "--locked"]).args(manifest).args(["--", "-D", "warnings"]);
-    run(clippy.env("CARGO_TARGET_DIR", target))
+    clippy.args(["clippy", "--locked", "--manifest-path", MANIFEST, "--", "-D", "warnings"]);
+    run(clippy.env("CARGO_TARGET_DIR", Workspace::load()?.target.join("python")))
 }
 
 /// Format, lints and types of the wheel's Python.
@@ -118,10 +121,10 @@ pub(crate) fn lint(environment: &Environment) -> Result<()> {
     run(environment.program("mypy").args(["--config-file", "python/pyproject.toml", "python/parkade"]))
 }
 
-/// Installs the wheel as the tests use it: built fast, and with the optimiser's help where plans take time.
+/// Installs the wheel as the tests use it: linted, built fast, and with the optimiser's help where plans take time.
 pub(crate) fn install(environment: &Environment) -> Result<()> {
-    let develop = ["develop", "--locked", "--profile", "tested", "--manifest-path", "python/Cargo.toml"];
-    run(environment.program("maturin").args(develop))
+    let develop = ["develop", "--locked", "--profile", "tested", "--manifest-path", MANIFEST];
+    run(linting(environment.program("maturin").args(develop)))
 }
 
 /// Pytest's command; its last lines name what failed and count.

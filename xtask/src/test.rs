@@ -54,7 +54,7 @@ const SUITES: &[Suite] = &[
     suite("lint, core", Needs::Sources, || {
         lint(&["--target", WASM_TARGET, "--lib", "--no-default-features"])
     }),
-    suite("lint, wheel", Needs::Sources, || check(python::lint_native())),
+    suite("format, wheel", Needs::Sources, || check(python::check_format())),
     suite("lint, documentation", Needs::Sources, rustdoc),
     suite("Rust, wasm in Node", Needs::Sources, || rust_tests(&["--target", WASM_TARGET, "--test", "all"])),
     suite("Rust, native", Needs::Sources, || rust_tests(&[LIBRARY_AND_FUZZ, &["--lib", "--tests"]].concat())),
@@ -209,14 +209,10 @@ fn lint(scope: &[&str]) -> Result<Counts> {
     check(tools::run(cargo().args(["clippy", "--locked"]).args(scope).args(["--", "-D", "warnings"])))
 }
 
-/// Lints while compiling: the libraries of this program are there. `cargo clippy` reads them all again, for a minute.
 fn lint_tool() -> Result<Counts> {
     // Windows does not replace a program that runs.
     let targets = if cfg!(windows) { "--tests" } else { "--all-targets" };
-    let mut build = cargo();
-    build.args(["build", "--locked", targets]).args(TOOL);
-    build.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver").env("CLIPPY_ARGS", "-Dwarnings");
-    check(tools::run(&mut build))
+    check(tools::run(tools::linting(cargo().args(["build", "--locked", targets]).args(TOOL))))
 }
 
 fn rustdoc() -> Result<Counts> {
@@ -249,6 +245,7 @@ fn wheel() -> Result<Counts> {
         Ok(environment) => environment,
         Err(reason) => {
             println!("the wheel is not tested: {reason}");
+            python::lint_native()?;
             return Ok(Counts { skipped: 1, ..Counts::default() });
         }
     };

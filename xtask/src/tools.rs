@@ -39,6 +39,12 @@ pub(crate) fn cargo() -> Command {
     command(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
+/// Has a build of cargo lint the workspace's own crates, warnings being errors, while it compiles them. Their libraries
+/// are compiled once, where `cargo clippy` reads them all again.
+pub(crate) fn linting(build: &mut Command) -> &mut Command {
+    build.env("RUSTC_WORKSPACE_WRAPPER", "clippy-driver").env("CLIPPY_ARGS", "-Dwarnings")
+}
+
 pub(crate) fn node() -> Command {
     command("node")
 }
