@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
 import { init, scenario } from "../../pkg/node.js";
-import { open, settled, type PlaygroundElement } from "./playground";
+import { answered, open, settled, type PlaygroundElement } from "./playground";
 
 const file = new URL("../data/plan-hashes.json", import.meta.url);
 const expected = JSON.parse(readFileSync(file, "utf8")) as Record<string, Record<string, string>>;
@@ -21,7 +21,7 @@ test("every planner's plan on every preset has the native hash in the browser", 
       },
       [scene, Object.keys(hashes)] as const,
     );
-    await settled(page);
+    await answered(page);
     const found = await page.evaluate(() => {
       const { results } = document.querySelector<PlaygroundElement>("parkade-playground")!;
       return Object.fromEntries(Object.entries(results).map(([planner, plan]) => [planner, plan?.hash]));
