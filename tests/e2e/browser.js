@@ -6,7 +6,7 @@ import { pathToFileURL } from "node:url";
 import { chromium } from "@playwright/test";
 import { serve } from "./server.js";
 
-/** The first has no user interface: the tests take half the processor time. */
+/** The first has no user interface: the tests take a third less processor time. */
 const COMMANDS = [
   "chromium-headless-shell",
   "chromium",

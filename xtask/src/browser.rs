@@ -34,7 +34,7 @@ fn install_with_playwright() -> Result<()> {
     run(node_tool("@playwright/test/cli.js").args(["install", "--only-shell", "chromium"]))
 }
 
-/// A Chromium without a user interface: the tests take half the processor time. Old releases of Debian do not have it.
+/// A Chromium without a user interface: the tests take a third less processor time. Old releases of Debian have none.
 const SHELL: &str = "chromium-headless-shell";
 
 /// Debian and its relatives, as root only.

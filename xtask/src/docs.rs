@@ -26,9 +26,10 @@ pub(crate) fn generate() -> Result<()> {
     book()
 }
 
-/// The program that makes books. Three pages are made with it: it compiles twice as fast without optimisation.
+/// The program that makes books. Three pages are made with it: it compiles twice as fast without optimisation, and in
+/// three quarters of that time without what a debugger reads.
 pub(crate) fn mdbook() -> Result<PathBuf> {
-    cargo_tool("mdbook", MDBOOK, &["--no-default-features", "--debug"])
+    cargo_tool("mdbook", MDBOOK, &["--no-default-features", "--debug", "--config", "profile.dev.debug=false"])
 }
 
 fn book() -> Result<()> {
