@@ -36,8 +36,8 @@ export class SceneView extends LitElement {
     }
     .scale {
       position: absolute; left: var(--scale-inset, 12px); inset-block: var(--scale-block, auto 9px);
-      display: var(--parkade-scale, flex); align-items: end; gap: 6px; pointer-events: none; font: 12px/12px inherit; font-family: inherit;
-      color: var(--parkade-t3);
+      display: var(--parkade-scale, flex); align-items: end; gap: 6px; pointer-events: none;
+      font: 12px/12px inherit; font-family: inherit; color: var(--parkade-t3);
     }
     .scale::before {
       content: ""; width: var(--length); height: 5px; border: solid var(--parkade-t1); border-width: 0 1px 1px;
