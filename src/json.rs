@@ -165,6 +165,11 @@ macro_rules! words {
 }
 pub(crate) use words;
 
+/// True of what is told only where there is some; the small module never tells it.
+pub(crate) fn is_left_out<'a, T: 'a>(told: impl IntoIterator<Item = &'a T>) -> bool {
+    !crate::IS_COMPLETE || told.into_iter().next().is_none()
+}
+
 /// A value inside a config.
 /// A config is a list of settings with names, so that one loop reads and writes the settings of every planner.
 pub(crate) trait Setting {
@@ -271,7 +276,6 @@ pub(crate) fn written(settings: &[Named]) -> Map<String, Value> {
 }
 
 /// Makes a struct readable from JSON and writable to it, by the names of its fields there.
-#[cfg(feature = "complete")]
 macro_rules! settings {
     ($type:ty: $($name:literal = $($field:ident).+),+ $(,)?) => {
         impl $type {
@@ -295,5 +299,4 @@ macro_rules! settings {
         }
     };
 }
-#[cfg(feature = "complete")]
 pub(crate) use settings;

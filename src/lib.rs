@@ -40,38 +40,23 @@
 //!
 //! The cargo feature `complete`, on by default, holds what the page does not need for its first picture.
 
-#![cfg_attr(
-    not(feature = "complete"),
-    expect(
-        dead_code,
-        unused_imports,
-        reason = "the linker drops what the first picture's module does not reach"
-    )
-)]
-
 // First: the others use its macro.
 #[macro_use]
 pub mod error;
 
-#[cfg(feature = "complete")]
 pub mod audit;
-#[cfg(feature = "complete")]
 pub mod drive;
 mod fnv;
 pub mod geometry;
-#[cfg(feature = "complete")]
 pub mod import;
 mod json;
 pub mod map;
 pub mod metrics;
-#[cfg(feature = "complete")]
 pub mod optimise;
-#[cfg(feature = "complete")]
 pub mod papers;
 pub mod plan;
 pub mod planners;
 pub mod post;
-#[cfg(feature = "complete")]
 pub mod referee;
 pub mod scenario;
 pub mod search;

@@ -15,6 +15,7 @@
 
 use super::Narrowest;
 use super::{Body, FAR};
+use crate::IS_COMPLETE;
 use crate::geometry::{Pose, math};
 use crate::scenario::resolve::{Geometry, Owner};
 
@@ -258,8 +259,7 @@ fn check_body(check: &mut Check, body: &Body, path: &[Pose], directions: &[i8]) 
         check.clearances.push(clearance);
     }
     check.mean_clearance = sum / path.len() as f64;
-    #[cfg(feature = "complete")]
-    if check.hit_poses.is_empty() {
+    if IS_COMPLETE && check.hit_poses.is_empty() {
         check.narrowest = body.narrowest(path, &check.clearances);
     }
 }

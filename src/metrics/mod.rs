@@ -14,7 +14,6 @@ mod footprint_distance;
 pub mod grid;
 mod narrowest;
 mod outlines;
-#[cfg(feature = "complete")]
 pub mod random_drives;
 pub mod road;
 mod signed_distance;

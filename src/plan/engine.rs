@@ -7,14 +7,12 @@
 //! Only a plan has to be answered. A family that lacks an ability keeps the default, which answers `None` or changes
 //! nothing, and the caller says so in its error.
 
-#[cfg(feature = "complete")]
 use super::choices::Wish;
 use super::outcome::Plan;
 use super::world::World;
 use crate::scenario::Scenario;
 use crate::search::ExpansionCallback;
 use crate::search::{Observers, Progress, Trace};
-#[cfg(feature = "complete")]
 use crate::{
     geometry::{Point, Pose},
     map::Cell,
@@ -32,7 +30,6 @@ pub(super) struct Ask<'a> {
     /// Steps of the search to write down.
     pub(super) record: Option<usize>,
     pub(super) expansions: Option<ExpansionCallback<'a>>,
-    #[cfg(feature = "complete")]
     pub(super) wish: Wish<'a>,
 }
 
@@ -40,9 +37,7 @@ impl<'a> Ask<'a> {
     /// The observer of a search over cells; it takes the progress.
     pub(super) fn observers(&mut self) -> Observers<'a> {
         let trace = self.is_traced.then(|| Trace::new(TRACE));
-        #[cfg(feature = "complete")]
-        let trace = trace.map(|trace| trace.telling(self.expansions));
-        (trace, self.progress.take())
+        (trace.map(|trace| trace.telling(self.expansions)), self.progress.take())
     }
 }
 
@@ -70,54 +65,46 @@ pub(super) trait Engine: Send {
     }
 
     /// The occupancy map of `world` has changed in one cell.
-    #[cfg(feature = "complete")]
     fn cell_changed(&mut self, world: &World, cell: Cell) {
         let _ = (world, cell);
     }
 
     /// The exact obstacles of `world` have changed.
-    #[cfg(feature = "complete")]
     fn obstacles_changed(&mut self, scenario: &Scenario, world: &World) {
         let _ = (scenario, world);
     }
 
     /// Takes several goals for the next plan and returns true, or false if the family has to try one after another. Of
     /// a sample of goals those that lack the margin are left out, but not all of them.
-    #[cfg(feature = "complete")]
     fn aim(&mut self, world: &World, goals: &[Pose], is_sample: bool) -> bool {
         let _ = (world, goals, is_sample);
         false
     }
 
     /// The search over cells alone.
-    #[cfg(feature = "complete")]
     fn search(&mut self, world: &World, ends: [Pose; 2]) -> Option<GridReport> {
         let _ = (world, ends);
         None
     }
 
     /// The any-angle yardstick between the ends of `world`, metres.
-    #[cfg(feature = "complete")]
     fn any_angle_length(&self, world: &World) -> Option<f64> {
         let _ = world;
         None
     }
 
     /// The risk field at the cell of a point; also `None` off the map and in blocked cells.
-    #[cfg(feature = "complete")]
     fn explain(&self, world: &World, at: Point) -> Option<Explanation> {
         let _ = (world, at);
         None
     }
 
     /// The path that the next plan may stay with.
-    #[cfg(feature = "complete")]
     fn last(&mut self) -> Option<&mut Option<Last>> {
         None
     }
 
     /// Makes a path the last one: its poses, one at least, their gears and curvatures.
-    #[cfg(feature = "complete")]
     fn continue_along(&mut self, poses: &[Pose], gears: &[i8], curvatures: &[f64]) {
         let _ = (poses, gears, curvatures);
     }

@@ -16,13 +16,13 @@
 
 use super::engine::{Ask, Engine, LayerData};
 use super::measured::{Driven, NEAR, STEP, measured};
-#[cfg(feature = "complete")]
 use super::outcome::Recorded;
 use super::outcome::{GridMetrics, Outcome, Plan, PlanTrace, Stats};
 use super::path_sampling;
 use super::rasters::Rasters;
 use super::stages::Stages;
 use super::world::World;
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 use crate::map::Cell;
@@ -72,8 +72,7 @@ impl GridEngine {
     ///
     /// Ends outside the map get a cell that no map has, which the planner answers with an outcome.
     fn search_cells(&mut self, world: &World, cells: [Cell; 2], observers: &mut Observers) -> GridReport {
-        #[cfg(feature = "complete")]
-        {
+        if IS_COMPLETE {
             self.rasters.prepare(world, cells);
             if self.search.needs_bits() {
                 self.rasters.prepare_bits(world);
@@ -93,7 +92,6 @@ impl Engine for GridEngine {
     fn plan(&mut self, _: &Scenario, world: &mut World, mut ask: Ask) -> Plan {
         let mut observers = ask.observers();
         let report = self.search_cells(world, ends(world), &mut observers);
-        #[cfg(feature = "complete")]
         if let Some(trace) = &mut observers.0 {
             trace.flush();
         }
@@ -102,10 +100,9 @@ impl Engine for GridEngine {
         }
         let finish = Finish { world, rasters: &self.rasters, settings: self.settings, report: &report };
         let mut plan = finish.plan(observers.0.is_some());
-        #[cfg(feature = "complete")]
-        {
+        if IS_COMPLETE {
             self.count(&report, &mut plan.stats);
-            plan.recorded = ask.record.map(|limit| Box::new(self.record(world, limit)));
+            plan.recorded = ask.record.and_then(|limit| self.record(world, limit)).map(Box::new);
         }
         plan.trace = observers.0.map(|t| PlanTrace::Cells { cells: t.expanded, dropped: t.dropped });
         plan
@@ -118,46 +115,45 @@ impl Engine for GridEngine {
                 let forces = self.field(world)?.layer(every).data;
                 Some(LayerData::Floats(forces.into_iter().flatten().collect()))
             }
-            #[cfg(feature = "complete")]
-            "potential" => Some(LayerData::Floats(self.field(world)?.potential_layer().data)),
-            #[cfg(feature = "complete")]
-            "redundant" => Some(LayerData::Bytes(self.rasters.layer(world, ends(world)).data)),
+            "potential" if IS_COMPLETE => Some(LayerData::Floats(self.field(world)?.potential_layer().data)),
+            "redundant" if IS_COMPLETE => Some(LayerData::Bytes(self.rasters.layer(world, ends(world)).data)),
             _ => None,
         }
     }
 
-    #[cfg(feature = "complete")]
     fn cell_changed(&mut self, world: &World, cell: Cell) {
-        self.rasters.change(world, cell);
+        if IS_COMPLETE {
+            self.rasters.change(world, cell);
+        }
     }
 
-    #[cfg(feature = "complete")]
     fn search(&mut self, world: &World, ends: [Pose; 2]) -> Option<GridReport> {
-        Some(self.search_cells(world, cells_of(world, ends), &mut Observers::default()))
+        IS_COMPLETE.then(|| self.search_cells(world, cells_of(world, ends), &mut Observers::default()))
     }
 
-    #[cfg(feature = "complete")]
     fn any_angle_length(&self, world: &World) -> Option<f64> {
+        if !IS_COMPLETE {
+            return None;
+        }
         let [start, goal] = ends(world);
         let cells = any_angle_length(self.rasters.solid(world), start, goal)?;
         Some(cells * world.frame.resolution)
     }
 
-    #[cfg(feature = "complete")]
     fn explain(&self, world: &World, at: Point) -> Option<risk_field::Explanation> {
-        let config = self.search.risk_field()?;
+        let config = self.search.risk_field().filter(|_| IS_COMPLETE)?;
         risk_field::explain(self.rasters.query(world, ends(world)).query, config, world.frame.cell_at(at)?)
     }
 }
 
-#[cfg(feature = "complete")]
 impl GridEngine {
     /// The last search, between the ends of `world`, with its events written down. Recording runs the search a second
     /// time, so that a plan without it pays nothing.
-    fn record(&self, world: &World, limit: usize) -> Recorded {
+    fn record(&self, world: &World, limit: usize) -> Option<Recorded> {
         let at = self.rasters.query(world, ends(world));
         let (width, height) = (at.query.map.width(), at.query.map.height());
-        Recorded::Cells { width, height, recording: self.search.record(at, limit) }
+        let recording = self.search.record(at, limit)?;
+        Some(Recorded::Cells { width, height, recording })
     }
 
     /// Counters that only some planners and settings have.
@@ -202,8 +198,6 @@ impl Finish<'_> {
         let pieces = self.pieces(&pruned, &shortest, &smoothed);
         let driven = self.driven(&pieces);
         let near = NEAR.max(world.frame.resolution);
-        #[cfg(not(feature = "complete"))]
-        let _ = traced;
         let mut plan = measured(world, report.outcome, driven, near);
         plan.detail = report.detail;
         plan.reason = self.reason();
@@ -216,8 +210,7 @@ impl Finish<'_> {
         plan.stats.memory_bytes += self.rasters.bytes(world) as u64;
         if report.outcome == Outcome::Found {
             plan.metrics.grid = Some(self.metrics(&pruned, &shortest, &smoothed, &pieces));
-            #[cfg(feature = "complete")]
-            if traced {
+            if IS_COMPLETE && traced {
                 plan.stages = Some(Stages::new(&world.frame, &pruned, &shortest, &smoothed));
             }
         }
@@ -293,7 +286,6 @@ impl Finish<'_> {
             }
             Outcome::GoalBlocked => format!("The goal {} is inside an obstacle{space}.", at(geometry.goal)),
             Outcome::BudgetSpent => format!("Stopped after {} expansions.", self.report.stats.expanded),
-            #[cfg(feature = "complete")]
             Outcome::NoPath if self.report.detail == Some(Detail::Incomplete) => {
                 format!(
                     "There is a path, but this rule missed it: {} cells were searched.",

@@ -15,26 +15,21 @@
 
 use std::sync::Arc;
 
-#[cfg(feature = "complete")]
 use super::choices::{self, Choosing, Wish};
 use super::engine::{Ask, Engine};
-#[cfg(feature = "complete")]
 use super::hybrid_answer::resolution;
 use super::hybrid_answer::{metrics, reason, stats};
 use super::measured::{Driven, NEAR, STEP, measured};
-#[cfg(feature = "complete")]
 use super::outcome::{Member, Outcome, Recorded};
 use super::outcome::{Plan, PlanTrace};
 use super::path::MAX_LENGTH;
 use super::world::World;
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::metrics::Verdict;
-#[cfg(not(feature = "complete"))]
-use crate::planners::hybrid::plan;
-#[cfg(feature = "complete")]
-use crate::planners::hybrid::{self, FloodMemory, Last, Prefer, goal_of, plan_any, stay, with_room};
+use crate::planners::hybrid::{self, FloodMemory, Last, Prefer, goal_of, plan, plan_any, stay, with_room};
 use crate::planners::hybrid::{Config, Query, Report, Scratch, Status, obstacles};
 use crate::planners::registry::PlannerId;
 use crate::scenario::Scenario;
@@ -48,13 +43,11 @@ const ROUNDING: f64 = 1e-6;
 pub(super) struct HybridEngine {
     kind: PlannerId,
     /// The path of the last plan that found one.
-    #[cfg(feature = "complete")]
     last: Option<Last>,
     config: Config,
     obstacles: Arc<Obstacles>,
     scratch: Scratch,
     /// The goals of the next plan, if there are several.
-    #[cfg(feature = "complete")]
     goals: Vec<Pose>,
 }
 
@@ -62,18 +55,15 @@ impl HybridEngine {
     pub(super) fn new(world: &World, kind: PlannerId, config: Config) -> Result<Self, Error> {
         Ok(Self {
             kind,
-            #[cfg(feature = "complete")]
             last: None,
             config,
             obstacles: Arc::new(obstacles_of(world)?),
             scratch: Scratch::default(),
-            #[cfg(feature = "complete")]
             goals: Vec::new(),
         })
     }
 
     /// The planner of other settings on ground that is prepared already.
-    #[cfg(feature = "complete")]
     pub(super) fn on(ground: Ground, kind: PlannerId, config: Config) -> Self {
         let Ground { obstacles, floods } = ground;
         Self { kind, last: None, config, obstacles, scratch: Scratch::sharing(floods), goals: Vec::new() }
@@ -88,16 +78,14 @@ impl HybridEngine {
         progress: &mut Option<Progress>,
     ) -> (Plan, Report) {
         let query = query(&self.obstacles, &world.geometry);
-        #[cfg(feature = "complete")]
-        let (query, mut report) = {
-            let own = [query.goal];
-            let goals = if self.goals.is_empty() { &own[..] } else { &self.goals };
-            let (at, report) = plan_any(&query, goals, &self.config, &mut self.scratch, trace, progress);
-            (Query { goal: goals[at], ..query }, report)
+        let mut report = if IS_COMPLETE && !self.goals.is_empty() {
+            let (at, report) =
+                plan_any(&query, &self.goals, &self.config, &mut self.scratch, trace, progress);
+            world.geometry.goal = self.goals[at];
+            report
+        } else {
+            plan(&query, &self.config, &mut self.scratch, trace, progress)
         };
-        #[cfg(not(feature = "complete"))]
-        let mut report = plan(&query, &self.config, &mut self.scratch, trace, progress);
-        world.geometry.goal = query.goal;
         let (world, geometry) = (&*world, &world.geometry);
         let query = self::query(&self.obstacles, geometry);
         if let Some(progress) = progress {
@@ -122,16 +110,15 @@ impl HybridEngine {
             dropped: report.tree_dropped,
             failed_expansions: core::mem::take(&mut report.failed_expansions),
         });
-        #[cfg(feature = "complete")]
-        {
-            self.scratch.record(None);
-            plan.recorded = report.recorded.take().map(|poses| Box::new(Recorded::Poses(*poses)));
+        self.scratch.record(None);
+        if IS_COMPLETE {
+            let recorded = report.recorded.take().map(Arc::unwrap_or_clone);
+            plan.recorded = recorded.map(|poses| Recorded::Poses(poses).into());
         }
         (plan, report)
     }
 
     /// Keeps to the last path, led to the new ends, where this one is not so much better.
-    #[cfg(feature = "complete")]
     fn stay_with_last(
         &mut self,
         (scenario, world): (&Scenario, &World),
@@ -175,7 +162,6 @@ impl HybridEngine {
     }
 
     /// Which search answered; none where nothing was searched.
-    #[cfg(feature = "complete")]
     fn member(report: &Report) -> Option<Member> {
         let (xy_resolution, heading_resolution) = report.resolution;
         (report.stats.expanded > 0).then_some(Member {
@@ -188,7 +174,6 @@ impl HybridEngine {
     }
 
     /// Chooses among further paths and plans them. The goal of `world` becomes that of the chosen path.
-    #[cfg(feature = "complete")]
     fn choose(
         &mut self,
         (scenario, world): (&Scenario, &mut World),
@@ -253,29 +238,27 @@ impl HybridEngine {
 impl Engine for HybridEngine {
     fn plan(&mut self, scenario: &Scenario, world: &mut World, ask: Ask) -> Plan {
         let mut progress = ask.progress;
-        #[cfg(feature = "complete")]
         self.scratch.record(ask.record);
         let found = self.found(scenario, world, ask.is_traced, &mut progress);
-        #[cfg(feature = "complete")]
-        {
-            let plan = self.choose((scenario, world), found, ask.wish, &mut progress);
-            self.goals.clear();
-            plan
+        if !IS_COMPLETE {
+            return found.0;
         }
-        #[cfg(not(feature = "complete"))]
-        found.0
+        let plan = self.choose((scenario, world), found, ask.wish, &mut progress);
+        self.goals.clear();
+        plan
     }
 
-    #[cfg(feature = "complete")]
     fn obstacles_changed(&mut self, _: &Scenario, world: &World) {
         // The map is as large as before.
-        if let Ok(obstacles) = obstacles_of(world) {
+        if IS_COMPLETE && let Ok(obstacles) = obstacles_of(world) {
             self.obstacles = obstacles.into();
         }
     }
 
-    #[cfg(feature = "complete")]
     fn aim(&mut self, world: &World, goals: &[Pose], is_sample: bool) -> bool {
+        if !IS_COMPLETE {
+            return false;
+        }
         let with_margin = if is_sample {
             with_room(&self.obstacles, &world.geometry.vehicle, goals, self.config.margin)
         } else {
@@ -289,13 +272,14 @@ impl Engine for HybridEngine {
         true
     }
 
-    #[cfg(feature = "complete")]
     fn last(&mut self) -> Option<&mut Option<Last>> {
         Some(&mut self.last)
     }
 
-    #[cfg(feature = "complete")]
     fn continue_along(&mut self, poses: &[Pose], gears: &[i8], curvatures: &[f64]) {
+        if !IS_COMPLETE {
+            return;
+        }
         self.last = Some(Last::along(self.obstacles.local(poses[0]), poses, gears, curvatures));
     }
 }
@@ -304,7 +288,6 @@ impl Engine for HybridEngine {
 ///
 /// # Errors
 /// [`ErrorCode::Input`] where the map is too large for a car to drive in.
-#[cfg_attr(feature = "complete", inline(never))]
 fn obstacles_of(world: &World) -> Result<Obstacles, Error> {
     let frame = &world.frame;
     let side = f64::from(frame.width.max(frame.height)) * frame.resolution;
@@ -320,14 +303,12 @@ fn obstacles_of(world: &World) -> Result<Obstacles, Error> {
 }
 
 /// What planners of one scene share: its obstacles, and the ways around them.
-#[cfg(feature = "complete")]
 #[derive(Clone)]
 pub(super) struct Ground {
     obstacles: Arc<Obstacles>,
     floods: FloodMemory,
 }
 
-#[cfg(feature = "complete")]
 impl Ground {
     /// # Errors
     /// As those of a planner on this world.

@@ -1,6 +1,5 @@
 //! What a report of hybrid A* says, in the words and figures of a plan.
 
-#[cfg(feature = "complete")]
 use super::outcome::Member;
 use super::outcome::{HybridMetrics, Stats};
 use crate::geometry::arcs;
@@ -53,7 +52,6 @@ pub(super) fn reason(scenario: &Scenario, geometry: &Geometry, report: &Report) 
 }
 
 /// How finely a search looked, in words.
-#[cfg(feature = "complete")]
 pub(super) fn resolution(member: &Member) -> String {
     let small = |metres: f64| {
         if metres < 0.01 { format!("{:.0} mm", metres * 1000.0) } else { format!("{:.0} cm", metres * 100.0) }
@@ -85,7 +83,6 @@ pub(super) fn metrics(report: &Report) -> HybridMetrics {
         paper_length: 0.1 * steps,
         paper_nodes: steps as u32 + 1,
         paper_time: 0.1 * steps / PAPER_SPEED,
-        #[cfg(feature = "complete")]
         drive_time: None,
     }
 }

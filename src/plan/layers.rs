@@ -7,6 +7,7 @@
 use super::Planner;
 use super::engine::LayerData;
 use super::world::World;
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::map::{distance, inflation};
 
@@ -64,19 +65,17 @@ impl Planner {
 
     /// The error where this planner has no raster of a name.
     fn no_layer(&self, name: &str) -> Error {
-        #[cfg(feature = "complete")]
-        const KNOWN: &str = "occupancy, safety, redundant, clearance, risk, potential or cost";
-        #[cfg(not(feature = "complete"))]
-        const KNOWN: &str = "occupancy, safety, clearance or risk";
+        const KNOWN: &str = if IS_COMPLETE {
+            "occupancy, safety, redundant, clearance, risk, potential or cost"
+        } else {
+            "occupancy, safety, clearance or risk"
+        };
         let id = self.kind.id();
         let message = match name {
             "risk" => message!("{} has no risk field; risk-field has", id),
-            #[cfg(feature = "complete")]
-            "potential" => message!("{} has no risk field; risk-field has", id),
-            #[cfg(feature = "complete")]
-            "redundant" => message!("{} closes no redundant cells; grid planners do", id),
-            #[cfg(feature = "complete")]
-            "cost" => message!("{} has no cost map; cost-map has", id),
+            "potential" if IS_COMPLETE => message!("{} has no risk field; risk-field has", id),
+            "redundant" if IS_COMPLETE => message!("{} closes no redundant cells; grid planners do", id),
+            "cost" if IS_COMPLETE => message!("{} has no cost map; cost-map has", id),
             _ => message!("must be {}, got \"{}\"", KNOWN, name),
         };
         Error::new(ErrorCode::Input, "name", message)

@@ -40,7 +40,6 @@ pub(super) fn measured(world: &World, outcome: Outcome, driven: Driven, near: f6
         }),
         grid: None,
         hybrid: None,
-        #[cfg(feature = "complete")]
         road: None,
     };
     Plan {
@@ -58,9 +57,7 @@ pub(super) fn measured(world: &World, outcome: Outcome, driven: Driven, near: f6
         metrics,
         check,
         trace: None,
-        #[cfg(feature = "complete")]
         recorded: None,
-        #[cfg(feature = "complete")]
         member: None,
         stages: None,
         alternatives: Vec::new(),

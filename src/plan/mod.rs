@@ -9,52 +9,42 @@
 //! Lengths are in metres, headings in radians counter-clockwise from east, poses are the middle of the rear axle.
 
 mod brush;
-#[cfg(feature = "complete")]
 mod choices;
-#[cfg(feature = "complete")]
 mod edits;
 mod engine;
-#[cfg(feature = "complete")]
 mod goals;
 mod grid;
 mod hybrid;
 mod hybrid_answer;
 mod layers;
 mod measured;
-#[cfg(all(feature = "complete", not(target_arch = "wasm32")))]
+#[cfg(not(target_arch = "wasm32"))]
 mod options;
 mod outcome;
 mod path;
 mod path_sampling;
 mod queries;
 mod rasters;
-#[cfg(feature = "complete")]
 mod road;
 mod road_curve;
 mod road_fit;
 #[cfg(not(target_arch = "wasm32"))]
 mod serialize;
-#[cfg(feature = "complete")]
 mod site;
 mod stages;
 mod tractrix;
 mod world;
 
-#[cfg(feature = "complete")]
 pub use choices::Improved;
 pub use engine::LayerData;
 pub use layers::Layer;
 pub use outcome::{Detail, GridMetrics, HybridMetrics, Metrics, Outcome, Plan, PlanTrace, Stats};
-#[cfg(feature = "complete")]
 pub use outcome::{Member, Recorded};
 pub use path::check_path;
-#[cfg(feature = "complete")]
 pub use path::{collision_risk, drive_envelope, optimise, path_poses, road_figures, route};
-#[cfg(feature = "complete")]
 pub(crate) use site::Site;
 pub use stages::{Stages, TangentArc};
 
-#[cfg(feature = "complete")]
 pub use crate::planners::hybrid::Prefer;
 pub use crate::search::ProgressCallback;
 pub use queries::{Ends, Found};
@@ -63,6 +53,7 @@ use std::num::NonZeroU32;
 
 use serde_json::{Map, Value};
 
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::planners::registry::{Family, PlannerId, Settings, default_config};
@@ -96,7 +87,6 @@ pub struct Options<'a> {
     /// Numbers are arcs as in [`PlanTrace::Arcs`].
     pub expansions: Option<ExpansionCallback<'a>>,
     /// The preference by which hybrid A* chooses its path; `None` for the default cost.
-    #[cfg(feature = "complete")]
     pub prefer: Option<Prefer>,
     /// True if alternatives to hybrid A*'s path are searched as well: [`Plan::alternatives`].
     pub alternatives: bool,
@@ -104,11 +94,9 @@ pub struct Options<'a> {
     /// its place: a share of its cost. With 0 the last plan does not matter.
     pub stickiness: f64,
     /// Given hybrid A*'s first plan, and each one that is better. Where it breaks, the last one is the answer.
-    #[cfg(feature = "complete")]
     pub improved: Option<Improved<'a>>,
 }
 
-#[cfg(feature = "complete")]
 impl Options<'_> {
     /// The first of the options that ask for a choice.
     fn choice(&self) -> Option<&'static str> {
@@ -139,7 +127,6 @@ pub struct Planner {
     /// The scene's start and goal.
     own_ends: [Pose; 2],
     /// The scene's goals, where it has a set of them.
-    #[cfg(feature = "complete")]
     own_goals: Option<Goals>,
     engine: Box<dyn Engine>,
     brush: Option<brush::Brush>,
@@ -151,25 +138,26 @@ impl Planner {
     ///
     /// # Errors
     /// A wrong scene or setting, named by field, value and rule.
-    #[cfg_attr(feature = "complete", inline(never))]
     pub fn new(id: &str, scenario: &Scenario, config: &Map<String, Value>) -> Result<Self, Error> {
+        Self::owning(id, scenario.clone(), config)
+    }
+
+    /// The same with a scene that is given away.
+    pub(crate) fn owning(id: &str, scenario: Scenario, config: &Map<String, Value>) -> Result<Self, Error> {
         let kind = PlannerId::of(id)?;
-        let settings = settings(kind, scenario, config)?;
-        let world = World::new(scenario)?;
-        let engine = engine(kind, settings, scenario, &world)?;
+        let settings = settings(kind, &scenario, config)?;
+        let world = World::new(&scenario)?;
+        let engine = engine(kind, settings, &scenario, &world)?;
         Ok(Self::of_parts(kind, scenario, world, engine))
     }
 
     /// A planner of a world that is prepared. The scene's own ends are kept apart, because a plan may ask between
     /// others.
-    #[cfg_attr(not(feature = "complete"), expect(unused_mut, reason = "sets of goals are moved out"))]
-    #[cfg_attr(feature = "complete", inline(never))]
-    fn of_parts(kind: PlannerId, scenario: &Scenario, mut world: World, engine: Box<dyn Engine>) -> Self {
+    fn of_parts(kind: PlannerId, scenario: Scenario, mut world: World, engine: Box<dyn Engine>) -> Self {
         Self {
             kind,
-            scenario: scenario.clone(),
+            scenario,
             own_ends: [world.geometry.start, world.geometry.goal],
-            #[cfg(feature = "complete")]
             own_goals: world.geometry.goals.take(),
             world,
             engine,
@@ -197,10 +185,10 @@ impl Planner {
 
     /// To the scene's own goal, or to the cheapest of them, where none is given.
     fn between(&mut self, start: Pose, goal: Option<Pose>, options: Options) -> Plan {
-        #[cfg(feature = "complete")]
-        self.sync();
-        #[cfg(feature = "complete")]
-        if let Some(goals) = self.own_goals.take_if(|_| goal.is_none()) {
+        if IS_COMPLETE {
+            self.sync();
+        }
+        if IS_COMPLETE && let Some(goals) = self.own_goals.take_if(|_| goal.is_none()) {
             let plan = self.plan_any(start, &goals, options);
             self.own_goals = Some(goals);
             return plan;
@@ -209,14 +197,10 @@ impl Planner {
     }
 
     /// Searches between two poses, which become the ends of the world until the next plan.
-    #[cfg_attr(feature = "complete", inline(never))]
     fn toward(&mut self, ends: [Pose; 2], options: Options) -> Plan {
         [self.world.geometry.start, self.world.geometry.goal] = ends;
         let every = if self.kind.family() == Family::Hybrid { POSES } else { CELLS };
-        let progress = options.progress.map(|tell| Progress::new(every, tell));
-        #[cfg(feature = "complete")]
-        let progress = progress.map(|progress| progress.telling(options.expansions));
-        #[cfg(feature = "complete")]
+        let progress = options.progress.map(|tell| Progress::new(every, tell).telling(options.expansions));
         let wish = choices::Wish {
             prefer: options.prefer,
             alternatives: options.alternatives,
@@ -228,7 +212,6 @@ impl Planner {
             progress,
             record: options.record,
             expansions: options.expansions,
-            #[cfg(feature = "complete")]
             wish,
         };
         let mut plan = self.engine.plan(&self.scenario, &mut self.world, ask);
@@ -238,7 +221,6 @@ impl Planner {
 
     /// About how long this planner's path takes to drive as it is, seconds; infinite where it cannot be told. It uses
     /// default limits without a limit of jerk; [`optimise`] gives the time of a trajectory that a car can follow.
-    #[cfg(feature = "complete")]
     pub fn driving_time(&self, plan: &Plan) -> f64 {
         choices::estimated_time(plan, &self.world.geometry, &self.scenario.all_speed_limits())
     }
@@ -256,7 +238,6 @@ impl Planner {
     /// assert!(planner("risk-field").explain(scene.start.x, scene.start.y).unwrap().is_some());
     /// assert!(planner("eight").explain(0.0, 0.0).is_err());
     /// ```
-    #[cfg(feature = "complete")]
     pub fn explain(&self, x: f64, y: f64) -> Result<Option<Explanation>, Error> {
         for (name, value) in [("x", x), ("y", y)] {
             if !value.is_finite() {
@@ -279,7 +260,6 @@ impl Planner {
 ///
 /// # Errors
 /// A wrong setting of this planner, or one in the scene that its planner does not have.
-#[cfg_attr(feature = "complete", inline(never))]
 fn settings(kind: PlannerId, scenario: &Scenario, config: &Map<String, Value>) -> Result<Settings, Error> {
     let mut settings = scenario.planners.get(kind.id()).cloned().unwrap_or_default();
     settings.extend(config.clone());
@@ -303,12 +283,10 @@ fn engine(
     scenario: &Scenario,
     world: &World,
 ) -> Result<Box<dyn Engine>, Error> {
-    #[cfg(not(feature = "complete"))]
-    let _ = scenario;
     Ok(match settings {
         Settings::Grid(search) => Box::new(grid::GridEngine::new(world, planner, search)?),
         Settings::Hybrid(config) => Box::new(hybrid::HybridEngine::new(world, planner, config)?),
-        #[cfg(feature = "complete")]
-        Settings::Road(config) => Box::new(road::RoadEngine::new(scenario, world, config)),
+        Settings::Road(config) if IS_COMPLETE => Box::new(road::RoadEngine::new(scenario, world, config)),
+        Settings::Road(_) => unreachable!("no planner of the small module has these settings"),
     })
 }

@@ -21,10 +21,10 @@ use serde::Serialize;
 
 use crate::fnv::Fnv;
 use crate::geometry::{Point, Pose, arcs, math};
+use crate::json;
 use crate::metrics::Check;
 use crate::planners::Obstruction;
 use crate::planners::hybrid::FailedExpansions;
-#[cfg(feature = "complete")]
 use crate::planners::hybrid::PoseRecording;
 pub use crate::planners::{Detail, Outcome};
 use crate::scenario::GoalPose;
@@ -121,8 +121,7 @@ pub struct Metrics {
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub hybrid: Option<HybridMetrics>,
     /// Cost-map A*.
-    #[cfg(feature = "complete")]
-    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    #[serde(flatten, skip_serializing_if = "json::is_left_out")]
     pub road: Option<crate::metrics::road::RoadMetrics>,
 }
 
@@ -182,8 +181,7 @@ pub struct HybridMetrics {
     pub paper_time: f64,
     /// Duration of the trajectory that [`optimise`](super::optimise()) makes of the path by default, seconds; where
     /// paths are chosen among.
-    #[cfg(feature = "complete")]
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "json::is_left_out")]
     pub drive_time: Option<f64>,
 }
 
@@ -213,7 +211,6 @@ pub enum PlanTrace {
 /// Every event of a search.
 ///
 /// Enough to step through the search and to say of each node why it was kept, improved or rejected.
-#[cfg(feature = "complete")]
 #[derive(Debug, Clone)]
 pub enum Recorded {
     /// Over the cells of a map.
@@ -231,7 +228,6 @@ pub enum Recorded {
 
 /// A search of hybrid A*'s portfolio: the one that found the path or, where there is none, that went through everything
 /// with the least margin, or was tried last.
-#[cfg(feature = "complete")]
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Member {
@@ -277,12 +273,10 @@ pub struct Plan {
     /// The independent validator's verdict.
     pub check: Check,
     /// Hybrid A*: which search of its portfolio answered.
-    #[cfg(feature = "complete")]
     pub member: Option<Member>,
     /// The search trace, if requested.
     pub trace: Option<PlanTrace>,
     /// The search with all its events, if requested.
-    #[cfg(feature = "complete")]
     pub recorded: Option<Box<Recorded>>,
     /// Grid planners: what each step after the search makes of the path, if the trace is asked for.
     pub stages: Option<super::Stages>,

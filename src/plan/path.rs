@@ -8,7 +8,6 @@
 use super::measured::NEAR;
 use crate::error::{Error, ErrorCode, Message};
 use crate::geometry::Pose;
-#[cfg(feature = "complete")]
 use crate::metrics::random_drives::{self, Risk};
 use crate::metrics::road::{Figures, figures};
 use crate::metrics::{Body, Check, check};
@@ -62,7 +61,6 @@ fn way(path: &[f64]) -> Result<Vec<Pose>, Error> {
 /// assert!(path_poses(&[0.0, 0.0]).is_err());
 /// assert!(path_poses(&[0.0, f64::NAN, 0.0]).unwrap_err().to_string().starts_with("path[1]"));
 /// ```
-#[cfg(feature = "complete")]
 pub fn path_poses(path: &[f64]) -> Result<Vec<Pose>, Error> {
     way(path)
 }
@@ -93,7 +91,6 @@ pub(super) fn gears(directions: Option<&[i8]>, poses: usize) -> Result<Vec<i8>, 
 ///
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses, the gears not ±1, or no car of these dimensions can drive it.
-#[cfg(feature = "complete")]
 pub fn route(
     geometry: &crate::scenario::resolve::Geometry,
     path: &[f64],
@@ -116,7 +113,6 @@ pub fn route(
 ///
 /// # Errors
 /// As [`route`] and [`crate::optimise::optimise`]; [`ErrorCode::Input`] for a path that fails its check.
-#[cfg(feature = "complete")]
 pub fn optimise(
     scene: &crate::scenario::Scenario,
     (path, directions, curvatures): (&[f64], Option<&[i8]>, Option<&[f64]>),
@@ -172,7 +168,6 @@ pub fn check_path(geometry: &Geometry, path: &[f64], directions: Option<&[i8]>) 
 ///
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses, or none.
-#[cfg(feature = "complete")]
 pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error> {
     let (geometry, poses) = (scenario.geometry()?, some_poses(path)?);
     let lanes = scenario.lanes_between(geometry.start.point(), geometry.goal.point());
@@ -185,7 +180,6 @@ pub fn road_figures(scenario: &Scenario, path: &[f64]) -> Result<Figures, Error>
 ///
 /// # Errors
 /// [`ErrorCode::Input`] when the numbers are not poses, or none, or too many metres would be driven.
-#[cfg(feature = "complete")]
 pub fn collision_risk(
     scenario: &Scenario,
     path: &[f64],
@@ -199,7 +193,6 @@ pub fn collision_risk(
 ///
 /// # Errors
 /// As [`collision_risk`].
-#[cfg(feature = "complete")]
 pub fn drive_envelope(
     scenario: &Scenario,
     path: &[f64],
@@ -210,7 +203,6 @@ pub fn drive_envelope(
 }
 
 /// The poses of a path that is short enough for all trials.
-#[cfg(feature = "complete")]
 fn drivable(
     scenario: &Scenario,
     path: &[f64],

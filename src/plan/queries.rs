@@ -5,6 +5,7 @@
 //! wall or off the map is an outcome, because it can happen to anybody who drags it there.
 
 use super::{Options, Outcome, Plan, Planner};
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::{Point, Pose};
 use crate::planners::registry::Family;
@@ -62,8 +63,8 @@ impl Planner {
     pub fn plan_between(&mut self, ends: Ends, options: Options) -> Result<Plan, Error> {
         let start = ends.start.map(|pose| checked("start", pose)).transpose()?;
         let goal = ends.goal.map(|pose| checked("goal", pose)).transpose()?;
-        #[cfg(feature = "complete")]
-        if let Some(choice) = options.choice().filter(|_| self.kind.family() != Family::Hybrid) {
+        if IS_COMPLETE && let Some(choice) = options.choice().filter(|_| self.kind.family() != Family::Hybrid)
+        {
             let message = message!("{} finds one path; hybrid has others to choose from", self.kind.id());
             return Err(Error::new(ErrorCode::Input, choice, message));
         }
@@ -74,7 +75,6 @@ impl Planner {
     /// On a map with another floor there is none.
     ///
     /// The old planner gives its path away and plans afterwards as if it had none.
-    #[cfg(feature = "complete")]
     pub fn continue_from(&mut self, before: &mut Self) {
         if let (Some(last), Some(before_last)) = (self.engine.last(), before.engine.last())
             && self.world.geometry.boundary == before.world.geometry.boundary
@@ -88,7 +88,6 @@ impl Planner {
     ///
     /// # Errors
     /// [`ErrorCode::Input`] when the lists do not belong together, and for numbers that are not finite.
-    #[cfg(feature = "complete")]
     pub fn continue_along(
         &mut self,
         path: &[f64],
@@ -126,7 +125,6 @@ impl Planner {
     ///
     /// # Errors
     /// [`ErrorCode::Input`] when a coordinate is not a finite number, and for planners other than grid planners.
-    #[cfg(feature = "complete")]
     pub fn search(&mut self, start: Point, goal: Point) -> Result<Found, Error> {
         let pose = |point: Point| Pose::new(point.x, point.y, 0.0);
         let (start, goal) = (checked("start", pose(start))?, checked("goal", pose(goal))?);
@@ -155,7 +153,6 @@ impl Planner {
     /// let raw = plan.metrics.grid.unwrap().length_raw * scene.map.resolution;
     /// assert!(planner.any_angle_length().unwrap() <= raw + 1e-9);
     /// ```
-    #[cfg(feature = "complete")]
     pub fn any_angle_length(&self) -> Option<f64> {
         self.engine.any_angle_length(&self.world)
     }

@@ -47,11 +47,7 @@ impl Rasters {
 
     /// Bytes of what is searched.
     pub(super) fn bytes(&self, world: &World) -> usize {
-        let map = self.map(world).bytes();
-        #[cfg(feature = "complete")]
-        return map + self.extra.bits.as_ref().map_or(0, Bits::bytes);
-        #[cfg(not(feature = "complete"))]
-        map
+        self.map(world).bytes() + self.extra.bits.as_ref().map_or(0, Bits::bytes)
     }
 
     /// Real obstacles and necessary safety space.
@@ -61,7 +57,6 @@ impl Rasters {
 
     /// The occupancy map that the search runs on.
     pub(super) fn map<'a>(&'a self, world: &'a World) -> &'a Occupancy {
-        #[cfg(feature = "complete")]
         if let Some((_, _, redundant)) = &self.extra.closed {
             return &redundant.map;
         }

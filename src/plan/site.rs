@@ -49,6 +49,6 @@ impl Site {
             return Planner::new(id, &self.scenario, config);
         };
         let engine = Box::new(HybridEngine::on(self.ground.clone(), kind, config));
-        Ok(Planner::of_parts(kind, &self.scenario, self.world.clone(), engine))
+        Ok(Planner::of_parts(kind, self.scenario.clone(), self.world.clone(), engine))
     }
 }

@@ -25,7 +25,6 @@ pub(super) struct World {
 impl World {
     /// # Errors
     /// Of a wrong scene, named by field, value and rule.
-    #[cfg_attr(feature = "complete", inline(never))]
     pub(super) fn new(scenario: &Scenario) -> Result<Self, Error> {
         let geometry = scenario.geometry()?;
         let map = &scenario.map;

@@ -56,9 +56,9 @@ impl GridPlanner for Search {
         plan(at.query, &self.config, scratch, observers)
     }
 
-    fn record(&self, at: Prepared, limit: usize) -> Recording {
+    fn record(&self, at: Prepared, limit: usize) -> Option<Recording> {
         let record = if self.is_greedy { record_greedy } else { record_dijkstra };
-        record(at.query, &self.config, limit)
+        Some(record(at.query, &self.config, limit))
     }
 }
 

@@ -5,16 +5,15 @@
 
 use super::grid_lattice::Grid;
 use super::grid_planner::{GridPlanner, Prepared};
-use super::heuristics::{
-    Chosen, DistanceWeight, Estimate, Euclid, Gauge16, HEURISTICS, Heuristic, Manhattan, Octile,
-};
+use super::heuristics::{Chosen, DistanceWeight, Estimate, Euclid, Gauge16, Heuristic, Manhattan, Octile};
 use super::moves::Neighbourhood;
 use super::parameters::{Field, Form, ParameterSpec, parameters, spec};
 use super::query::{GridReport, GridScratch, Query};
 use super::settings::Common;
 use super::weighted::Weighted;
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
-use crate::json;
+use crate::json::{self, Words};
 use crate::search::{Observer, Observers, one_way};
 use crate::search::{Recording, record_one_way};
 
@@ -31,15 +30,15 @@ pub enum Weight {
 json::words!(Weight: "none" = None, "distance" = Distance);
 
 /// Names of the heuristics allowed with four neighbours, with eight, and with more.
-#[cfg(not(feature = "complete"))]
-const CHOICES: [&[&str]; 3] =
-    [&["manhattan", "euclid", "octile"], &["euclid", "octile"], &["euclid", "gauge"]];
-#[cfg(feature = "complete")]
-const CHOICES: [&[&str]; 3] = [
-    &["manhattan", "euclid", "octile", "chebyshev"],
-    &["euclid", "octile", "chebyshev"],
-    &["euclid", "gauge", "chebyshev"],
-];
+const CHOICES: [&[&str]; 3] = if IS_COMPLETE {
+    [
+        &["manhattan", "euclid", "octile", "chebyshev"],
+        &["euclid", "octile", "chebyshev"],
+        &["euclid", "gauge", "chebyshev"],
+    ]
+} else {
+    [&["manhattan", "euclid", "octile"], &["euclid", "octile"], &["euclid", "gauge"]]
+};
 
 /// The heuristic's declarations: of four neighbours, of eight, of more.
 const HEURISTIC_SPECS: [ParameterSpec; 3] = [
@@ -110,7 +109,8 @@ impl Config {
     /// refused.
     fn check_heuristic(&self, neighbourhood: Neighbourhood) -> Result<(), Error> {
         if !self.heuristic.is_admissible(neighbourhood) {
-            let names = HEURISTICS.iter().filter(|h| h.is_admissible(neighbourhood)).map(|h| h.as_str());
+            let words = Heuristic::WORDS.iter();
+            let names = words.filter(|word| word.1.is_admissible(neighbourhood)).map(|word| word.0);
             let rule = message!(
                 "must be {} with {} neighbours, got {}",
                 names.collect::<Vec<_>>().join(" or "),
@@ -164,9 +164,8 @@ impl GridPlanner for GridAstar {
         plan(at.query, self.neighbourhood, &self.config, scratch, observers)
     }
 
-    #[cfg(feature = "complete")]
-    fn record(&self, at: Prepared, limit: usize) -> Recording {
-        record(at.query, self.neighbourhood, &self.config, limit)
+    fn record(&self, at: Prepared, limit: usize) -> Option<Recording> {
+        IS_COMPLETE.then(|| record(at.query, self.neighbourhood, &self.config, limit))
     }
 }
 

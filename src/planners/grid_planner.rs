@@ -26,9 +26,8 @@ pub(crate) trait GridPlanner: Parameters + Send {
     /// The search.
     fn run(&self, at: Prepared, scratch: &mut GridScratch, observers: &mut Observers) -> GridReport;
 
-    /// The search once more with its events written down, at most `limit` of them.
-    #[cfg(feature = "complete")]
-    fn record(&self, at: Prepared, limit: usize) -> Recording;
+    /// The search once more with its events written down, at most `limit` of them. The small module cannot.
+    fn record(&self, at: Prepared, limit: usize) -> Option<Recording>;
 
     /// The settings of the risk field that leads the search; `None` without one.
     fn risk_field(&self) -> Option<&RiskFieldConfig> {
@@ -58,13 +57,12 @@ macro_rules! grid_planner {
                 $plan(at.query, self, scratch, observers)
             }
 
-            #[cfg(feature = "complete")]
             fn record(
                 &self,
                 at: $crate::planners::grid_planner::Prepared,
                 limit: usize,
-            ) -> $crate::search::Recording {
-                $record(at.query, self, limit)
+            ) -> Option<$crate::search::Recording> {
+                $crate::IS_COMPLETE.then(|| $record(at.query, self, limit))
             }
 
             $($($more)*)?

@@ -28,28 +28,13 @@ pub enum Heuristic {
     /// The shortest way with the planner's own moves on an empty map: the best that never overestimates.
     Gauge,
     /// The larger of columns and rows: never too much, and never more than the straight distance.
-    #[cfg(feature = "complete")]
     Chebyshev,
     /// Nothing, which makes A* Dijkstra's search.
-    #[cfg(feature = "complete")]
     Zero,
 }
 
-#[cfg(not(feature = "complete"))]
-json::words!(Heuristic: "manhattan" = Manhattan, "euclid" = Euclid, "octile" = Octile, "gauge" = Gauge);
-#[cfg(feature = "complete")]
 json::words!(Heuristic:
-    "manhattan" = Manhattan, "euclid" = Euclid, "octile" = Octile, "gauge" = Gauge, "chebyshev" = Chebyshev);
-
-/// All of them.
-pub(super) const HEURISTICS: &[Heuristic] = &[
-    Heuristic::Manhattan,
-    Heuristic::Euclid,
-    Heuristic::Octile,
-    Heuristic::Gauge,
-    #[cfg(feature = "complete")]
-    Heuristic::Chebyshev,
-];
+    "manhattan" = Manhattan, "euclid" = Euclid, "octile" = Octile, "gauge" = Gauge; complete: "chebyshev" = Chebyshev);
 
 impl Heuristic {
     /// True if it never overestimates with these moves.
@@ -57,9 +42,7 @@ impl Heuristic {
         match self {
             Self::Manhattan => neighbourhood == Neighbourhood::Four,
             Self::Octile => matches!(neighbourhood, Neighbourhood::Four | Neighbourhood::Eight),
-            Self::Euclid | Self::Gauge => true,
-            #[cfg(feature = "complete")]
-            Self::Chebyshev | Self::Zero => true,
+            Self::Euclid | Self::Gauge | Self::Chebyshev | Self::Zero => true,
         }
     }
 
@@ -70,9 +53,7 @@ impl Heuristic {
             Self::Euclid => "euclid",
             Self::Octile => "octile",
             Self::Gauge => "gauge",
-            #[cfg(feature = "complete")]
             Self::Chebyshev => "chebyshev",
-            #[cfg(feature = "complete")]
             Self::Zero => "zero",
         }
     }
@@ -84,9 +65,7 @@ impl Heuristic {
             Self::Euclid => euclid(dx, dy),
             Self::Octile => octile(dx, dy),
             Self::Gauge => gauge(neighbourhood, dx, dy),
-            #[cfg(feature = "complete")]
             Self::Chebyshev => D * ordered(dx, dy).0,
-            #[cfg(feature = "complete")]
             Self::Zero => 0,
         }
     }
@@ -211,6 +190,7 @@ impl DistanceWeight {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::json::Words;
     use crate::planners::moves::cost;
 
     /// |h(u) − h(v)| ≤ cost(u, v) for every move: what keeps closed cells closed.
@@ -233,7 +213,7 @@ mod tests {
         use Neighbourhood::{Eight, FortyEight, Four, Sixteen, TwentyFour};
         for neighbourhood in [Four, Eight, Sixteen, TwentyFour, FortyEight] {
             let moves = neighbourhood.moves();
-            for &heuristic in HEURISTICS {
+            for &(_, heuristic) in Heuristic::WORDS {
                 if !heuristic.is_admissible(neighbourhood) {
                     continue;
                 }

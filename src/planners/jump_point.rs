@@ -58,8 +58,8 @@ impl GridPlanner for Config {
         plan(at.query, prepared(at), self, scratch, observers)
     }
 
-    fn record(&self, at: Prepared, limit: usize) -> Recording {
-        record(at.query, prepared(at), self, limit)
+    fn record(&self, at: Prepared, limit: usize) -> Option<Recording> {
+        Some(record(at.query, prepared(at), self, limit))
     }
 
     fn needs_bits(&self) -> bool {

@@ -12,7 +12,6 @@
 pub mod any_angle;
 pub mod bidirectional;
 pub mod cost_map;
-#[cfg(feature = "complete")]
 pub mod dijkstra_greedy;
 pub mod genetic;
 pub mod grid_astar;
@@ -21,7 +20,6 @@ pub(crate) mod grid_planner;
 pub mod heuristics;
 pub mod hybrid;
 mod info;
-#[cfg(feature = "complete")]
 pub mod jump_point;
 pub mod moves;
 mod obstruction;

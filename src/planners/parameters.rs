@@ -19,6 +19,7 @@
 use serde_json::{Map, Value};
 
 use super::info::{Parameter, Text};
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::json::{self, Setting};
 
@@ -68,15 +69,13 @@ impl ParameterSpec {
 
     /// The same for the complete module; the small one takes 1, and has no words for it.
     pub(super) const fn complete_only(self) -> Self {
-        #[cfg(feature = "complete")]
-        return Self { is_complete_only: true, ..self };
-        #[cfg(not(feature = "complete"))]
-        Self { is_complete_only: true, title: [""; 2], doc: [""; 2], ..self }
+        let (title, doc) = if IS_COMPLETE { (self.title, self.doc) } else { ([""; 2], [""; 2]) };
+        Self { is_complete_only: true, title, doc, ..self }
     }
 
     /// True if this module has it.
     pub(super) fn is_listed(&self) -> bool {
-        cfg!(feature = "complete") || !self.is_complete_only
+        IS_COMPLETE || !self.is_complete_only
     }
 
     /// For a form.

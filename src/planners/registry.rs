@@ -5,8 +5,8 @@
 //!
 //! Everything else that lists planners reads these rows: [`planners`] for JavaScript, the page and the documentation,
 //! [`default_config`] for forms, the tests that run every planner on every scene. Two ids may share a search and
-//! differ in their defaults only, as `risk-field` and `risk-field-plus` do. Rows under `complete` are not in the
-//! small module, which is why its list is shorter and nothing else of it has to know.
+//! differ in their defaults only, as `risk-field` and `risk-field-plus` do. Those that are made by `complete_row` are not in
+//! the small module, which is why its list is shorter and nothing else of it has to know.
 //!
 //! A row's order is that of menus; ids are part of share links and never change.
 
@@ -17,56 +17,70 @@ use super::grid_planner::GridPlanner;
 pub use super::info::{Family, Info, Parameter, Text};
 use super::moves::Neighbourhood;
 use super::parameters::{Parameters, check, overlay, written};
-#[cfg(feature = "complete")]
-use super::{any_angle, bidirectional, cost_map, dijkstra_greedy, genetic, jump_point, rrt};
-use super::{hybrid, risk_field};
+use super::{
+    any_angle, bidirectional, cost_map, dijkstra_greedy, genetic, hybrid, jump_point, risk_field, rrt,
+};
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 
 /// A planner of the registry.
 #[derive(Clone, Copy)]
 pub struct PlannerId(&'static Row);
 
+/// The planners of this module.
+static ROWS: [Row; rows().1] = {
+    let (rows, count) = rows();
+    let (mut kept, mut at) = ([rows[0]; _], 0);
+    while at < count {
+        kept[at] = rows[at];
+        at += 1;
+    }
+    kept
+};
+
 /// Every planner, in the order of menus.
-static ROWS: &[Row] = &[
+const ALL: [Row; 19] = [
     row("four", ["4-neighbour", "四邻域"], "Hart, Nilsson, Raphael 1968", || {
         grid(GridAstar::new(Neighbourhood::Four))
     }),
     row("eight", ["8-neighbour", "八邻域"], "Hart, Nilsson, Raphael 1968", || {
         grid(GridAstar::new(Neighbourhood::Eight))
     }),
-    #[cfg(feature = "complete")]
-    row("sixteen", ["16-neighbour", "十六邻域"], "Yuan 2020", || {
+    complete_row("sixteen", ["16-neighbour", "十六邻域"], "Yuan 2020", || {
         grid(GridAstar::new(Neighbourhood::Sixteen))
     }),
-    #[cfg(feature = "complete")]
-    row("twenty-four", ["24-neighbour", "二十四邻域"], "Yuan 2020", || {
+    complete_row("twenty-four", ["24-neighbour", "二十四邻域"], "Yuan 2020", || {
         grid(GridAstar::new(Neighbourhood::TwentyFour))
     }),
-    #[cfg(feature = "complete")]
-    row("forty-eight", ["48-neighbour", "四十八邻域"], "Yuan 2020", || {
+    complete_row("forty-eight", ["48-neighbour", "四十八邻域"], "Yuan 2020", || {
         grid(GridAstar::new(Neighbourhood::FortyEight))
     }),
-    #[cfg(feature = "complete")]
-    row("sixteen-bidirectional", ["From both ends", "双向搜索"], "Yuan 2020; Pijls, Post 2009", || {
-        grid(bidirectional::Config::DEFAULT)
-    }),
-    #[cfg(feature = "complete")]
-    row("jump-point", ["Jump points", "跳点搜索"], "Harabor, Grastien 2011", || {
+    complete_row(
+        "sixteen-bidirectional",
+        ["From both ends", "双向搜索"],
+        "Yuan 2020; Pijls, Post 2009",
+        || grid(bidirectional::Config::DEFAULT),
+    ),
+    complete_row("jump-point", ["Jump points", "跳点搜索"], "Harabor, Grastien 2011", || {
         grid(jump_point::Config::DEFAULT)
     })
     .without_costs(),
-    #[cfg(feature = "complete")]
-    row("any-angle", ["Any angle", "任意角（Theta*）"], "Nash, Daniel, Koenig, Felner 2007", || {
-        grid(any_angle::Config::DEFAULT)
-    })
+    complete_row(
+        "any-angle",
+        ["Any angle", "任意角（Theta*）"],
+        "Nash, Daniel, Koenig, Felner 2007",
+        || grid(any_angle::Config::DEFAULT),
+    )
     .without_costs(),
     row("risk-field", ["Risk field", "改进A*（风险场）"], "Hu et al. 2024", || {
         grid(risk_field::Config::PAPER)
     }),
-    #[cfg(feature = "complete")]
-    row("risk-field-plus", ["Risk field plus", "改进A*+（风险场）"], "Hu et al. 2024, beyond", || {
-        grid(risk_field::Config::PLUS)
-    }),
+    complete_row(
+        "risk-field-plus",
+        ["Risk field plus", "改进A*+（风险场）"],
+        "Hu et al. 2024, beyond",
+        || grid(risk_field::Config::PLUS),
+    ),
     row("hybrid", ["Hybrid A*", "混合A*"], "Reverse-search hybrid A* for parking, 2025", || {
         Settings::Hybrid(hybrid::Config::DEFAULT)
     }),
@@ -76,39 +90,40 @@ static ROWS: &[Row] = &[
         "Dolgov et al. 2010",
         || Settings::Hybrid(hybrid::Config::forward()),
     ),
-    #[cfg(feature = "complete")]
-    row(
+    complete_row(
         "hybrid-bidirectional",
         ["Hybrid A*, both ends", "混合A*（双向搜索）"],
         "Reverse-search hybrid A* for parking, 2025",
         || Settings::Hybrid(hybrid::Config::bidirectional()),
     ),
-    #[cfg(feature = "complete")]
-    row("hybrid-classic", ["Hybrid A*, classic", "混合A*（经典）"], "Dolgov et al. 2010", || {
-        Settings::Hybrid(hybrid::Config::classic())
-    }),
-    #[cfg(feature = "complete")]
-    row(
+    complete_row(
+        "hybrid-classic",
+        ["Hybrid A*, classic", "混合A*（经典）"],
+        "Dolgov et al. 2010",
+        || Settings::Hybrid(hybrid::Config::classic()),
+    ),
+    complete_row(
         "cost-map",
         ["Cost map", "代价地图A*"],
         "A* path planning for intelligent-vehicle road navigation, manuscript",
         || Settings::Road(cost_map::Config::DEFAULT),
     ),
-    #[cfg(feature = "complete")]
-    row("dijkstra", ["Dijkstra", "Dijkstra"], "Dijkstra 1959", || grid(dijkstra_greedy::Search::DIJKSTRA)),
-    #[cfg(feature = "complete")]
-    row("greedy", ["Greedy best-first", "贪婪最佳优先"], "Doran, Michie 1966", || {
+    complete_row("dijkstra", ["Dijkstra", "Dijkstra"], "Dijkstra 1959", || {
+        grid(dijkstra_greedy::Search::DIJKSTRA)
+    }),
+    complete_row("greedy", ["Greedy best-first", "贪婪最佳优先"], "Doran, Michie 1966", || {
         grid(dijkstra_greedy::Search::GREEDY)
     })
     .without_costs(),
-    #[cfg(feature = "complete")]
-    row("rrt", ["RRT", "RRT（快速扩展随机树）"], "LaValle 1998", || grid(rrt::Config::DEFAULT))
-        .without_costs(),
-    #[cfg(feature = "complete")]
-    row("genetic", ["Genetic", "遗传算法"], "Holland 1975", || grid(genetic::Config::DEFAULT))
+    complete_row("rrt", ["RRT", "RRT（快速扩展随机树）"], "LaValle 1998", || {
+        grid(rrt::Config::DEFAULT)
+    })
+    .without_costs(),
+    complete_row("genetic", ["Genetic", "遗传算法"], "Holland 1975", || grid(genetic::Config::DEFAULT))
         .without_costs(),
 ];
 
+#[derive(Clone, Copy)]
 struct Row {
     id: &'static str,
     /// English and Chinese.
@@ -118,6 +133,21 @@ struct Row {
     settings: fn() -> Settings,
     /// True if it knows that cells can cost more than others.
     takes_costs: bool,
+    /// True if the small module lacks it.
+    is_complete_only: bool,
+}
+
+/// The rows of this module in front, and how many they are. Only these are in its file.
+const fn rows() -> ([Row; ALL.len()], usize) {
+    let (mut rows, mut count, mut at) = (ALL, 0, 0);
+    while at < ALL.len() {
+        if IS_COMPLETE || !ALL[at].is_complete_only {
+            rows[count] = ALL[at];
+            count += 1;
+        }
+        at += 1;
+    }
+    (rows, count)
 }
 
 const fn row(
@@ -126,7 +156,17 @@ const fn row(
     paper: &'static str,
     settings: fn() -> Settings,
 ) -> Row {
-    Row { id, title, paper, settings, takes_costs: true }
+    Row { id, title, paper, settings, takes_costs: true, is_complete_only: false }
+}
+
+/// A row that the small module lacks.
+const fn complete_row(
+    id: &'static str,
+    title: [&'static str; 2],
+    paper: &'static str,
+    settings: fn() -> Settings,
+) -> Row {
+    Row { is_complete_only: true, ..row(id, title, paper, settings) }
 }
 
 impl Row {
@@ -139,7 +179,6 @@ impl Row {
 pub(crate) enum Settings {
     Grid(Box<dyn GridPlanner>),
     Hybrid(hybrid::Config),
-    #[cfg(feature = "complete")]
     Road(cost_map::Config),
 }
 
@@ -152,7 +191,6 @@ impl Settings {
         match self {
             Self::Grid(_) => Family::Grid,
             Self::Hybrid(_) => Family::Hybrid,
-            #[cfg(feature = "complete")]
             Self::Road(_) => Family::Road,
         }
     }
@@ -161,8 +199,8 @@ impl Settings {
         match self {
             Self::Grid(planner) => &mut **planner,
             Self::Hybrid(config) => config,
-            #[cfg(feature = "complete")]
-            Self::Road(config) => config,
+            Self::Road(config) if IS_COMPLETE => config,
+            Self::Road(_) => unreachable!("no row of the small module has these settings"),
         }
     }
 }

@@ -14,6 +14,7 @@ use super::paper_lot::{PAPER_ROWS, lot, nose_in, paper_row, tail_in};
 pub use super::scene_info::Info;
 use super::scene_info::info;
 use super::{Entry, Goal, Lean, Obstacle, Scenario, Slot, SlotGoal, SlotKind, VehicleSpec};
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::math::{FRAC_PI_2, FRAC_PI_4, PI};
 use crate::scenario::generate::{Family, generate};
@@ -32,13 +33,13 @@ const PAPER_QUESTION: [&str; 2] = [
 /// assert_eq!(ids[..2], ["perpendicular", "reverse-in"]);
 /// ```
 pub fn scenes() -> impl Iterator<Item = &'static Info> {
-    let all = SCENES.iter();
-    #[cfg(feature = "complete")]
-    let all = all
-        .chain(&super::moving_scenes::SCENES)
-        .chain(&super::road_scenes::SCENES)
-        .chain(&super::figure_scenes::SCENES);
-    all
+    let mut all: Vec<_> = SCENES.iter().collect();
+    if IS_COMPLETE {
+        all.extend(&super::moving_scenes::SCENES);
+        all.extend(&super::road_scenes::SCENES);
+        all.extend(&super::figure_scenes::SCENES);
+    }
+    all.into_iter()
 }
 
 /// The scenes of both modules, by groups.
@@ -163,10 +164,10 @@ fn build(id: &str) -> Option<Scenario> {
     if let Some(row) = paper_row(id) {
         return Some(row);
     }
-    #[cfg(feature = "complete")]
-    if let Some(scene) = super::moving_scenes::build(id)
-        .or_else(|| super::road_scenes::build(id))
-        .or_else(|| super::figure_scenes::build(id))
+    if IS_COMPLETE
+        && let Some(scene) = super::moving_scenes::build(id)
+            .or_else(|| super::road_scenes::build(id))
+            .or_else(|| super::figure_scenes::build(id))
     {
         return Some(scene);
     }

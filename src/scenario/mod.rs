@@ -11,8 +11,10 @@
 use serde::Serialize;
 use std::collections::BTreeMap;
 
+use crate::IS_COMPLETE;
 use crate::geometry::Point;
 use crate::geometry::Pose;
+use crate::json;
 pub use goal_region::{GoalRegion, HEADING_TOLERANCE};
 pub use goal_set::{EntryChoice, GoalPose, GoalSet, Goals, SlotChoice, SlotsGoal};
 pub(crate) use lane_position::LaneLeg;
@@ -24,16 +26,13 @@ pub use vehicle_spec::VehicleSpec;
 
 pub mod catalog;
 pub(crate) mod checks;
-#[cfg(feature = "complete")]
 mod figure_scenes;
 pub mod generate;
 mod goal_region;
 mod goal_set;
 mod lane_position;
-#[cfg(feature = "complete")]
 pub mod lot;
 mod moving;
-#[cfg(feature = "complete")]
 mod moving_scenes;
 mod paper_lot;
 pub(crate) mod parse;
@@ -41,7 +40,6 @@ pub(crate) mod places;
 pub mod resolve;
 mod road;
 mod road_obstacle;
-#[cfg(feature = "complete")]
 mod road_scenes;
 pub mod run_length;
 mod scene_info;
@@ -86,16 +84,13 @@ pub struct Scenario {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub costs: Vec<CostArea>,
     /// Moving obstacles. Planners ignore them; a drive along a path waits for them.
-    #[cfg(feature = "complete")]
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "json::is_left_out")]
     pub moving: Vec<MovingObstacle>,
     /// Lanes of a road, for planners that keep to them.
-    #[cfg(feature = "complete")]
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "json::is_left_out")]
     pub lanes: Vec<Lane>,
     /// Areas with a speed limit, for planners that know speeds.
-    #[cfg(feature = "complete")]
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(skip_serializing_if = "json::is_left_out")]
     pub speed_limits: Vec<SpeedLimit>,
     /// The car that plans.
     pub vehicle: VehicleSpec,
@@ -129,11 +124,8 @@ impl Scenario {
             obstacles: Vec::new(),
             slots: Vec::new(),
             costs: Vec::new(),
-            #[cfg(feature = "complete")]
             moving: Vec::new(),
-            #[cfg(feature = "complete")]
             lanes: Vec::new(),
-            #[cfg(feature = "complete")]
             speed_limits: Vec::new(),
             vehicle,
             start,
@@ -239,11 +231,15 @@ pub enum Goal {
     /// Into a slot of the scene.
     Slot(SlotGoal),
     /// To whichever of several places is the cheapest to reach.
-    #[cfg(feature = "complete")]
+    #[serde(serialize_with = "write_set")]
     Set(GoalSet),
 }
 
-#[cfg(feature = "complete")]
+/// Writes a set of goals, which no scene of the small module has.
+fn write_set<S: serde::Serializer>(set: &GoalSet, serializer: S) -> Result<S::Ok, S::Error> {
+    if IS_COMPLETE { set.serialize(serializer) } else { serializer.serialize_unit() }
+}
+
 impl Scenario {
     /// Lanes to keep to between two points: the scene's, and those of its drawn roads in the direction of travel.
     ///

@@ -13,6 +13,7 @@ use super::places::{point, pose};
 use super::run_length;
 use super::vehicle_spec::vehicle;
 use super::{CostArea, Entry, Goal, Lean, MapFrame, Obstacle, Road, Scenario, Slot, SlotGoal, SlotKind};
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::json::{Fields, bad, count, exactly, flag, list, number, object, owned, text, word};
 
@@ -113,12 +114,11 @@ fn slot(value: &Value) -> Result<Slot> {
 
 /// Reads a goal: a pose, a slot, or a set of goals. Its fields tell which.
 pub(crate) fn goal(value: &Value) -> Result<Goal> {
-    #[cfg(feature = "complete")]
-    if let Some(set) = super::GoalSet::read(value)? {
-        return Ok(Goal::Set(set));
-    }
-    #[cfg(not(feature = "complete"))]
-    if value.is_array() || value.get("slots").or(value.get("region")).is_some() {
+    if IS_COMPLETE {
+        if let Some(set) = super::GoalSet::read(value)? {
+            return Ok(Goal::Set(set));
+        }
+    } else if value.is_array() || value.get("slots").or(value.get("region")).is_some() {
         return bad(
             "",
             "must be one pose or slot, got a set of goals: not in parkade/core, but in parkade".into(),
@@ -191,12 +191,21 @@ impl Scenario {
             slots: f.maybe("slots", list(slot))?.unwrap_or_default(),
             costs: f.maybe("costs", list(cost_area))?.unwrap_or_default(),
             // No planner of `core` sees these: it leaves them to the complete module.
-            #[cfg(feature = "complete")]
-            moving: f.maybe("moving", super::moving::read_all)?.unwrap_or_default(),
-            #[cfg(feature = "complete")]
-            lanes: f.maybe("lanes", super::road::read_lanes)?.unwrap_or_default(),
-            #[cfg(feature = "complete")]
-            speed_limits: f.maybe("speedLimits", super::road::read_limits)?.unwrap_or_default(),
+            moving: if IS_COMPLETE {
+                f.maybe("moving", super::moving::read_all)?.unwrap_or_default()
+            } else {
+                Vec::new()
+            },
+            lanes: if IS_COMPLETE {
+                f.maybe("lanes", super::road::read_lanes)?.unwrap_or_default()
+            } else {
+                Vec::new()
+            },
+            speed_limits: if IS_COMPLETE {
+                f.maybe("speedLimits", super::road::read_limits)?.unwrap_or_default()
+            } else {
+                Vec::new()
+            },
             vehicle: f.maybe("vehicle", vehicle)?.unwrap_or_default(),
             start: f.need("start", pose)?,
             goal: f.need("goal", goal)?,

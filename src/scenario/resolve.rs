@@ -17,6 +17,7 @@ use super::Goals;
 use super::checks::{bad, finite_pose};
 use super::road_obstacle::kerbs;
 use super::{Entry, Goal, MAX_CELLS, Obstacle, Road, Scenario, Slot};
+use crate::IS_COMPLETE;
 use crate::error::Error;
 use crate::geometry::math;
 use crate::geometry::{Point, Pose, Vector};
@@ -84,7 +85,6 @@ pub struct Geometry {
     /// Goal pose: the first of several goals, or the start if none can be reached.
     pub goal: Pose,
     /// The goals, where the scene has a set of them.
-    #[cfg(feature = "complete")]
     pub goals: Option<Goals>,
     /// The car.
     pub vehicle: Vehicle,
@@ -105,11 +105,9 @@ impl Geometry {
 
     /// The goal that a path which ends at `last` is held against; of several the nearest, `None` where none can be met.
     pub fn goal_for(&self, last: Pose) -> Option<Pose> {
-        #[cfg(feature = "complete")]
-        if let Some(goals) = &self.goals {
+        if IS_COMPLETE && let Some(goals) = &self.goals {
             return goals.nearest(last);
         }
-        let _ = last;
         Some(self.goal)
     }
 }
@@ -127,27 +125,20 @@ impl Scenario {
     pub fn geometry(&self) -> Result<Geometry, Error> {
         self.validate()?;
         let vehicle = self.vehicle.resolve()?;
-        #[cfg(feature = "complete")]
         let goals = match &self.goal {
-            Goal::Set(set) => Some(set.resolve(&self.slots, vehicle)?),
+            Goal::Set(set) if IS_COMPLETE => Some(set.resolve(&self.slots, vehicle)?),
             _ => None,
         };
-        #[cfg(feature = "complete")]
         let goal = match &goals {
             Some(goals) => goals.poses.first().map_or(self.start, |goal| goal.pose),
             None => self.goal_pose(&self.goal)?,
         };
-        #[cfg(not(feature = "complete"))]
-        let goal = self.goal_pose(&self.goal)?;
         let mut shapes = Vec::new();
-        #[cfg(feature = "complete")]
         let mut known = Known::of(self.obstacles.len());
         for (i, obstacle) in self.obstacles.iter().enumerate() {
-            #[cfg(feature = "complete")]
             let from = shapes.len();
             self.forms(obstacle, |form| shapes.push(Shape { owner: Owner::Obstacle(i), form }));
-            #[cfg(feature = "complete")]
-            if known.has(&shapes, from) {
+            if IS_COMPLETE && known.has(&shapes, from) {
                 shapes.truncate(from);
             }
         }
@@ -172,16 +163,7 @@ impl Scenario {
         for &(i, pose) in &parked {
             shapes.push(Shape { owner: Owner::Slot(i), form: Form::Polygon(PARKED.outline(pose).to_vec()) });
         }
-        Ok(Geometry {
-            start: self.start,
-            goal,
-            #[cfg(feature = "complete")]
-            goals,
-            vehicle,
-            boundary: self.boundary(),
-            shapes,
-            parked,
-        })
+        Ok(Geometry { start: self.start, goal, goals, vehicle, boundary: self.boundary(), shapes, parked })
     }
 
     /// The pose of a goal in this scene: its own, or that of the scene's car in the slot.
@@ -194,7 +176,6 @@ impl Scenario {
         let goal = match goal {
             Goal::Pose(pose) => return finite_pose(*pose).map(|()| *pose),
             Goal::Slot(goal) => goal,
-            #[cfg(feature = "complete")]
             Goal::Set(_) => {
                 return bad("", "must be one pose or slot, got a set of goals".into());
             }

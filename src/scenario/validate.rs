@@ -15,6 +15,7 @@ use std::collections::BTreeMap;
 use super::Goal;
 use super::checks::{bad, corners, finite, finite_pose, outline, point, positive};
 use super::{CostArea, MAX_CELLS, MapFrame, Obstacle, Scenario, Slot, SlotKind, VehicleSpec};
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode};
 use crate::geometry::math::FRAC_PI_2;
 use crate::map::Weights;
@@ -48,25 +49,29 @@ impl Scenario {
                 );
             }
         }
-        #[cfg(feature = "complete")]
-        for (i, moving) in self.moving.iter().enumerate() {
-            moving.validate().map_err(|e| e.within(&format!("moving[{i}]")))?;
-        }
-        #[cfg(feature = "complete")]
-        for (i, lane) in self.lanes.iter().enumerate() {
-            lane.validate().map_err(|e| e.within(&format!("lanes[{i}]")))?;
-        }
-        #[cfg(feature = "complete")]
-        for (i, limit) in self.speed_limits.iter().enumerate() {
-            limit.validate().map_err(|e| e.within(&format!("speedLimits[{i}]")))?;
+        if IS_COMPLETE {
+            self.validate_traffic()?;
         }
         self.vehicle.resolve().map_err(|e| e.within("vehicle"))?;
         finite_pose(self.start).map_err(|e| e.within("start"))?;
-        #[cfg(feature = "complete")]
-        if let Goal::Set(set) = &self.goal {
+        if IS_COMPLETE && let Goal::Set(set) = &self.goal {
             return set.validate(&self.slots).map_err(|e| e.within("goal"));
         }
         self.goal_pose(&self.goal).map(|_| ()).map_err(|e| e.within("goal"))
+    }
+
+    /// Checks what moves, and the lanes and speed limits of roads.
+    fn validate_traffic(&self) -> Result<(), Error> {
+        for (i, moving) in self.moving.iter().enumerate() {
+            moving.validate().map_err(|e| e.within(&format!("moving[{i}]")))?;
+        }
+        for (i, lane) in self.lanes.iter().enumerate() {
+            lane.validate().map_err(|e| e.within(&format!("lanes[{i}]")))?;
+        }
+        for (i, limit) in self.speed_limits.iter().enumerate() {
+            limit.validate().map_err(|e| e.within(&format!("speedLimits[{i}]")))?;
+        }
+        Ok(())
     }
 }
 

@@ -7,6 +7,7 @@ use std::num::NonZeroU32;
 use std::ops::ControlFlow;
 
 use super::NodeId;
+use crate::IS_COMPLETE;
 
 /// Told of every event of a search.
 pub trait Observer<C, L> {
@@ -130,29 +131,16 @@ pub struct Trace<'a> {
     cap: usize,
     /// Those of the nodes that `tell` knows.
     told: usize,
-    #[cfg(feature = "complete")]
     tell: Option<ExpansionCallback<'a>>,
-    #[cfg(not(feature = "complete"))]
-    tell: core::marker::PhantomData<&'a ()>,
 }
 
 impl Trace<'_> {
     /// A trace that keeps the first `cap` expansions.
     pub fn new(cap: usize) -> Self {
-        Self {
-            expanded: Vec::new(),
-            dropped: 0,
-            cap,
-            told: 0,
-            #[cfg(feature = "complete")]
-            tell: None,
-            #[cfg(not(feature = "complete"))]
-            tell: core::marker::PhantomData,
-        }
+        Self { expanded: Vec::new(), dropped: 0, cap, told: 0, tell: None }
     }
 }
 
-#[cfg(feature = "complete")]
 impl<'a> Trace<'a> {
     /// The same, told as it grows.
     #[must_use]
@@ -162,7 +150,7 @@ impl<'a> Trace<'a> {
 
     /// Tells what is not told yet.
     pub fn flush(&mut self) {
-        if let Some(tell) = self.tell.filter(|_| self.told < self.expanded.len()) {
+        if IS_COMPLETE && let Some(tell) = self.tell.filter(|_| self.told < self.expanded.len()) {
             tell(Expansions { is_first: self.told == 0, nodes: &self.expanded[self.told..], numbers: &[] });
             self.told = self.expanded.len();
         }
@@ -191,8 +179,7 @@ impl<C, L> Observer<C, L> for Trace<'_> {
     fn expanded(&mut self, node: NodeId, _: L, _: C) {
         if self.expanded.len() < self.cap {
             self.expanded.push(node);
-            #[cfg(feature = "complete")]
-            if self.expanded.len() - self.told == NODES {
+            if IS_COMPLETE && self.expanded.len() - self.told == NODES {
                 self.flush();
             }
         } else {
@@ -253,9 +240,7 @@ impl<'a> Progress<'a> {
 
     /// A search follows others that have expanded as many nodes.
     pub fn follow(&mut self, before: u32) {
-        #[cfg(feature = "complete")]
-        let before = self.base.saturating_add(before);
-        self.before = before;
+        self.before = self.base.saturating_add(before);
     }
 
     /// A plan follows others, told as one with it, whose searches have expanded as many nodes.

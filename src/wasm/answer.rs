@@ -15,19 +15,16 @@ use serde_json::{Value, json};
 use wasm_bindgen::JsValue;
 
 use super::codec::{f32s, f64s, i8s, i32s, object, set, u8s, u32s, write};
+use crate::IS_COMPLETE;
 use crate::geometry::{Point, Pose};
 use crate::metrics::Check;
-#[cfg(feature = "complete")]
 use crate::metrics::Narrowest;
-#[cfg(feature = "complete")]
 use crate::plan::Recorded;
 use crate::plan::{Layer, LayerData, Plan, PlanTrace, Stats};
-#[cfg(feature = "complete")]
 use crate::planners::hybrid::PoseRecording;
 use crate::planners::{Gap, Obstruction};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::{Geometry, Owner, PARKED};
-#[cfg(feature = "complete")]
 use crate::search::Recording;
 use crate::vehicle::Vehicle;
 
@@ -52,20 +49,16 @@ pub(super) fn plan(scene: &Scenario, geometry: &Geometry, plan: &Plan) -> JsValu
         ("trace", trace_of(geometry, plan)),
         ("hash", plan.hash().into()),
     ]);
-    #[cfg(feature = "complete")]
-    if let Some(member) = &plan.member {
+    if IS_COMPLETE && let Some(member) = &plan.member {
         set(&answer, "member", &write(member));
     }
-    #[cfg(feature = "complete")]
-    if let Some(stages) = &plan.stages {
+    if IS_COMPLETE && let Some(stages) = &plan.stages {
         set(&answer, "stages", &write(stages));
     }
-    #[cfg(feature = "complete")]
-    if let Some(goal) = &plan.goal {
+    if IS_COMPLETE && let Some(goal) = &plan.goal {
         set(&answer, "goal", &write(goal));
     }
-    #[cfg(feature = "complete")]
-    if !plan.alternatives.is_empty() {
+    if IS_COMPLETE && !plan.alternatives.is_empty() {
         let all: js_sys::Array =
             plan.alternatives.iter().map(|one| self::plan(scene, geometry, one)).collect();
         set(&answer, "alternatives", &all);
@@ -110,25 +103,10 @@ fn obstruction(scene: &Scenario, geometry: &Geometry, obstruction: &Obstruction)
 /// Of a plan: the recorded search, or what else is kept of it.
 /// Null where neither was asked for.
 fn trace_of(geometry: &Geometry, plan: &Plan) -> JsValue {
-    #[cfg(feature = "complete")]
-    if let Some(search) = &plan.recorded {
+    if IS_COMPLETE && let Some(search) = &plan.recorded {
         return recorded(geometry, plan, search);
     }
     plan.trace.as_ref().map_or(JsValue::NULL, |t| trace(geometry, t))
-}
-
-/// Some of a search's expansions; a grid's are nodes.
-#[cfg(feature = "complete")]
-pub(super) fn expansions(search: u32, some: crate::plan::Expansions<'_>) -> JsValue {
-    let [kind, events] = if some.numbers.is_empty() {
-        ["cells".into(), u32s(some.nodes)]
-    } else {
-        ["arcs".into(), f64s(some.numbers)]
-    };
-    let name = kind.clone();
-    let fields = object(&[("kind", kind), ("search", search.into())]);
-    let _ = js_sys::Reflect::set(&fields, &name, &events);
-    fields
 }
 
 /// A trace as columns: cells of a grid, or arcs with the connections that failed.
@@ -160,7 +138,6 @@ fn trace(geometry: &Geometry, trace: &PlanTrace) -> JsValue {
 }
 
 /// A recorded search with what its moves mean: the grid's size, or poses, arcs and obstacles.
-#[cfg(feature = "complete")]
 fn recorded(geometry: &Geometry, plan: &Plan, recorded: &Recorded) -> JsValue {
     match recorded {
         Recorded::Cells { width, height, recording } => {
@@ -186,7 +163,6 @@ fn recorded(geometry: &Geometry, plan: &Plan, recorded: &Recorded) -> JsValue {
 }
 
 /// The events' columns as typed arrays, copied once.
-#[cfg(feature = "complete")]
 fn events(kind: &str, r: &Recording) -> JsValue {
     object(&[
         ("kind", kind.into()),
@@ -233,8 +209,7 @@ pub(super) fn check(scene: &Scenario, geometry: &Geometry, check: &Check) -> JsV
     });
     let answer = write(&small);
     set(&answer, "hitPoses", &u32s(&check.hit_poses));
-    #[cfg(feature = "complete")]
-    if let Some(Narrowest { index, body, obstacle, owner }) = check.narrowest {
+    if IS_COMPLETE && let Some(Narrowest { index, body, obstacle, owner }) = check.narrowest {
         let (name, at) = (scene.name_of(owner), owner.index());
         let [body, point] = [body, obstacle].map(|p| [p.x, p.y]);
         let place = json!({ "pose": index, "body": body, "point": point, "obstacle": name, "index": at });
@@ -250,7 +225,6 @@ pub(super) fn hit(scene: &Scenario, owner: Owner, pose: Pose) -> Value {
 
 /// Among indices of obstacles: nothing is hit.
 /// −1 is taken: it stands for the border and for parked cars of slots.
-#[cfg(feature = "complete")]
 const NO_OWNER: i32 = -2;
 
 /// A raster row by row from the south; each of its cells stands for `every` × `every` cells of the map.
@@ -279,7 +253,7 @@ pub(super) fn geometry(scene: &Scenario, geometry: &Geometry) -> Value {
     let points = |list: &[Point]| list.iter().map(|p| [p.x, p.y]).collect::<Vec<_>>();
     let parked =
         |&(slot, pose): &(usize, Pose)| json!({ "slot": slot, "pose": pose, "vehicle": vehicle(&PARKED) });
-    let answer = json!({
+    let mut answer = json!({
         "start": geometry.start,
         "goal": geometry.goal,
         "vehicle": vehicle(&geometry.vehicle),
@@ -287,11 +261,8 @@ pub(super) fn geometry(scene: &Scenario, geometry: &Geometry) -> Value {
         "slots": scene.slots.iter().map(|s| points(&s.outline())).collect::<Vec<_>>(),
         "parkedCars": geometry.parked.iter().map(parked).collect::<Vec<_>>(),
     });
-    #[cfg(feature = "complete")]
-    if let Some(goals) = &geometry.goals {
-        let mut answer = answer;
+    if IS_COMPLETE && let Some(goals) = &geometry.goals {
         answer["goals"] = json!(goals.poses);
-        return answer;
     }
     answer
 }

@@ -8,6 +8,10 @@
 //! are arrays of numbers whose columns the first answer names. Measurements are given a clock by the page, as the
 //! module itself has none.
 
+mod audit;
+mod drive;
+mod referee;
+
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
@@ -103,7 +107,7 @@ impl RawPlanner {
             move |some: plan::Expansions<'_>| {
                 searches.set(searches.get() + u32::from(some.is_first));
                 // It cannot end the search; `tell` does.
-                let _ = expanded.call1(&JsValue::NULL, &answer::expansions(searches.get() - 1, some));
+                let _ = expanded.call1(&JsValue::NULL, &expansions(searches.get() - 1, some));
             }
         });
         options.trace |= tell_expanded.is_some();
@@ -337,4 +341,17 @@ fn scene(mut scene: Scenario) -> Value {
         value["obstacles"][i]["runs"] = text.into();
     }
     value
+}
+
+/// Some of a search's expansions; a grid's are nodes.
+fn expansions(search: u32, some: plan::Expansions<'_>) -> JsValue {
+    let [kind, events] = if some.numbers.is_empty() {
+        ["cells".into(), codec::u32s(some.nodes)]
+    } else {
+        ["arcs".into(), codec::f64s(some.numbers)]
+    };
+    let name = kind.clone();
+    let fields = codec::object(&[("kind", kind), ("search", search.into())]);
+    let _ = js_sys::Reflect::set(&fields, &name, &events);
+    fields
 }

@@ -10,32 +10,23 @@
 #![expect(unreachable_pub, reason = "wasm-bindgen exports only items marked pub")]
 
 mod answer;
-#[cfg(feature = "complete")]
-mod audit;
 mod codec;
+// Exports keep alive what they lead to, so the small module must not have them.
 #[cfg(feature = "complete")]
 mod complete;
-#[cfg(feature = "complete")]
-mod drive;
-#[cfg(feature = "complete")]
-mod referee;
 
 use std::ops::ControlFlow;
 
 use serde_json::{Value, json as object};
 use wasm_bindgen::prelude::*;
 
+use crate::IS_COMPLETE;
 use crate::error::{Error, ErrorCode, Message};
 use crate::json;
-#[cfg(feature = "complete")]
 use crate::json::Words;
 use crate::plan::{self, Planner};
 use crate::planners::registry;
-#[cfg(feature = "complete")]
-use crate::scenario::parse;
-#[cfg(not(feature = "complete"))]
-use crate::scenario::places;
-use crate::scenario::{Scenario, catalog};
+use crate::scenario::{Scenario, catalog, parse, places};
 
 /// An answer, or the error that JavaScript is thrown.
 type JsResult = Result<JsValue, JsValue>;
@@ -99,8 +90,9 @@ pub fn check_path(scene: JsValue, path: &[f64], directions: Option<Vec<i8>>) -> 
     let geometry = scene.geometry().map_err(|e| codec::js_error(&e))?;
     let check = plan::check_path(&geometry, path, directions.as_deref()).map_err(|e| codec::js_error(&e))?;
     let answer = answer::check(&scene, &geometry, &check);
-    #[cfg(feature = "complete")]
-    codec::set(&answer, "clearances", &codec::f64s(&check.clearances));
+    if IS_COMPLETE {
+        codec::set(&answer, "clearances", &codec::f64s(&check.clearances));
+    }
     Ok(answer)
 }
 
@@ -141,7 +133,7 @@ impl RawPlanner {
     pub fn new(id: &str, scene: JsValue, config: JsValue) -> Result<RawPlanner, JsValue> {
         let scene = read_scene(scene)?;
         let config = optional(config, ErrorCode::Config)?;
-        let planner = Planner::new(id, &scene, &config).map_err(|e| codec::js_error(&e))?;
+        let planner = Planner::owning(id, scene, &config).map_err(|e| codec::js_error(&e))?;
         Ok(Self { planner })
     }
 
@@ -185,21 +177,17 @@ impl RawPlanner {
     ///
     /// # Errors
     /// An option that is not known or has another type, by name.
-    #[cfg_attr(not(feature = "complete"), expect(clippy::unused_self, reason = "slots are the scene's"))]
     fn options<'o>(&self, options: JsValue) -> Result<(plan::Options<'o>, plan::Ends), JsValue> {
         let (mut asked, mut ends) = (plan::Options::default(), plan::Ends::default());
-        #[cfg(feature = "complete")]
         let mut is_full = false;
         for (name, value) in optional(options, ErrorCode::Input)? {
             let wrong = |e: Error| codec::js_error(&e.within(&name).with_code(ErrorCode::Input));
             match name.as_str() {
-                #[cfg(feature = "complete")]
-                "trace" if value == "full" => {
+                "trace" if IS_COMPLETE && value == "full" => {
                     (asked.trace, asked.record) = (true, Some(asked.record.unwrap_or(plan::RECORDED_STEPS)));
                     is_full = true;
                 }
-                #[cfg(feature = "complete")]
-                "traceLimit" => {
+                "traceLimit" if IS_COMPLETE => {
                     let limit = value.as_u64().filter(|limit| (1..=1_000_000).contains(limit));
                     let rule = || {
                         refused(&name, message!("must be a whole number from 1 to 1000000, got {}", value))
@@ -207,37 +195,36 @@ impl RawPlanner {
                     asked.record = Some(limit.ok_or_else(rule)? as usize);
                 }
                 "trace" => asked.trace = json::flag(&value).map_err(wrong)?,
-                #[cfg(feature = "complete")]
-                "alternatives" => asked.alternatives = json::flag(&value).map_err(wrong)?,
-                #[cfg(feature = "complete")]
-                "stickiness" => {
+                "alternatives" if IS_COMPLETE => asked.alternatives = json::flag(&value).map_err(wrong)?,
+                "stickiness" if IS_COMPLETE => {
                     let share = json::number(&value).ok().filter(|share| (0.0..=1.0).contains(share));
                     let rule = || refused(&name, message!("must be between 0 and 1, got {}", value));
                     asked.stickiness = share.ok_or_else(rule)?;
                 }
-                #[cfg(feature = "complete")]
-                "prefer" if value.is_null() => {}
-                #[cfg(feature = "complete")]
-                "prefer" => asked.prefer = Some(json::word(plan::Prefer::WORDS)(&value).map_err(wrong)?),
+                "prefer" if IS_COMPLETE && value.is_null() => {}
+                "prefer" if IS_COMPLETE => {
+                    asked.prefer = Some(json::word(plan::Prefer::WORDS)(&value).map_err(wrong)?)
+                }
                 "start" | "goal" => {
-                    #[cfg(feature = "complete")]
-                    let pose = parse::goal(&value).and_then(|goal| self.planner.scenario().goal_pose(&goal));
-                    #[cfg(not(feature = "complete"))]
-                    let pose = places::pose(&value);
+                    let pose = if IS_COMPLETE {
+                        parse::goal(&value).and_then(|goal| self.planner.scenario().goal_pose(&goal))
+                    } else {
+                        places::pose(&value)
+                    };
                     *(if name == "start" { &mut ends.start } else { &mut ends.goal }) =
                         Some(pose.map_err(wrong)?);
                 }
                 _ => {
-                    #[cfg(not(feature = "complete"))]
-                    let message = "no option of plan; there are trace, start, goal, onProgress";
-                    #[cfg(feature = "complete")]
-                    let message = "no option of plan; there are trace, traceLimit, start, goal, onProgress, prefer, \
-                        alternatives, onImproved, onExpanded, stickiness";
+                    let message = if IS_COMPLETE {
+                        "no option of plan; there are trace, traceLimit, start, goal, onProgress, prefer, \
+                         alternatives, onImproved, onExpanded, stickiness"
+                    } else {
+                        "no option of plan; there are trace, start, goal, onProgress"
+                    };
                     return Err(refused(&name, message));
                 }
             }
         }
-        #[cfg(feature = "complete")]
         if !is_full {
             asked.record = None;
         }

@@ -10,7 +10,6 @@ fn scene(goal: Pose, wall: Option<(Point, Point)>) -> Geometry {
     Geometry {
         start: Pose::new(0.0, 0.0, 0.0),
         goal,
-        #[cfg(feature = "complete")]
         goals: None,
         vehicle: Vehicle::PAPER,
         boundary: boundary.map(|(x, y)| Point::new(x, y)).to_vec(),

@@ -117,7 +117,7 @@ pub struct Report {
     /// Connections that hit something, of the same search.
     pub failed_expansions: FailedExpansions,
     /// The events of the same search, where [`Scratch::record`](super::Scratch::record) asks for them.
-    pub recorded: Option<Box<PoseRecording>>,
+    pub recorded: Option<std::sync::Arc<PoseRecording>>,
 }
 
 impl Report {

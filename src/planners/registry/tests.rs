@@ -16,7 +16,7 @@ fn every_setting_is_listed_once_with_its_default() {
 
 #[test]
 fn planners_take_whatever_a_form_offers() {
-    for row in ROWS {
+    for row in &ROWS {
         let id = row.id;
         for Parameter { name, kind: form, choices, min, max, default, .. } in PlannerId(row).parameters() {
             let ends = [min, max].into_iter().flatten();
@@ -34,7 +34,7 @@ fn planners_take_whatever_a_form_offers() {
 
 #[test]
 fn a_planner_is_found_by_its_id() {
-    for row in ROWS {
+    for row in &ROWS {
         assert!(std::ptr::eq(PlannerId::of(row.id).unwrap().0, row), "{} is there twice", row.id);
     }
 }

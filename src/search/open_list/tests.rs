@@ -57,7 +57,6 @@ fn the_order_is_exact_whatever_is_pushed() {
             } else {
                 let first = held.iter().enumerate().min_by_key(|(_, e)| (e.0, e.1, std::cmp::Reverse(e.2)));
                 let want = first.map(|(i, _)| i).map(|i| held.swap_remove(i));
-                #[cfg(feature = "complete")]
                 assert_eq!(open.least(Order::Newest), want.map(|(f, ..)| f));
                 let got = open.pop(Order::Newest).map(|e| (e.f, e.h, (e.ticket - begin) / TICKET));
                 assert_eq!(got, want);

@@ -8,10 +8,10 @@
 
 use wasm_bindgen::prelude::*;
 
-use super::{JsResult, codec, optional, read_scene};
 use crate::error::{Error, ErrorCode};
 use crate::plan;
 use crate::referee::{MotionLimits, Submission, TimedRows, judge, read};
+use crate::wasm::{JsResult, codec, optional, read_scene};
 
 /// A result for JavaScript: an error becomes a `ParkadeError`.
 fn js<T>(result: Result<T, Error>) -> Result<T, JsValue> {

@@ -8,8 +8,6 @@
 use serde_json::json;
 use wasm_bindgen::prelude::*;
 
-use super::codec::{f64s, object, write};
-use super::{JsResult, answer, codec, optional, read_scene};
 use crate::drive::{
     Controller, Encounter, Limits, Mover, Route, Rows, Tracking, WaitOptions, stop_wait_go, track, trajectory,
 };
@@ -22,6 +20,8 @@ use crate::plan;
 use crate::referee::{States, Submission, TimedRows};
 use crate::scenario::Scenario;
 use crate::scenario::resolve::Geometry;
+use crate::wasm::codec::{f64s, object, write};
+use crate::wasm::{JsResult, answer, codec, optional, read_scene};
 
 /// What every function here is asked: a path on a scene and the options of a drive.
 struct Question {

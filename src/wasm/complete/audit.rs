@@ -13,13 +13,13 @@ use js_sys::Array;
 use serde_json::json;
 use wasm_bindgen::prelude::*;
 
-use super::codec::{f64s, object, set, write};
-use super::{JsResult, codec, goes_on, optional, read_scene};
 use crate::audit::{Auditor, Known, Options, Row, Way, affected};
 use crate::error::{Error, ErrorCode};
 use crate::geometry::Pose;
 use crate::scenario::lot::{Lot, PRESETS, Preset};
 use crate::vehicle::library;
+use crate::wasm::codec::{f64s, object, set, write};
+use crate::wasm::{JsResult, codec, goes_on, optional, read_scene};
 
 /// A result for JavaScript: an error becomes a `ParkadeError`.
 fn js<T>(result: Result<T, Error>) -> Result<T, JsValue> {
