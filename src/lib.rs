@@ -66,7 +66,7 @@ mod wasm;
 
 pub use error::Error;
 
-/// True with the cargo feature `complete`. What only branches on it lead to is in no file of the other module.
+/// True with the cargo feature `complete`. The small module's file lacks what only branches on it lead to.
 pub(crate) const IS_COMPLETE: bool = cfg!(feature = "complete");
 
 /// Runs the README's Rust lines.

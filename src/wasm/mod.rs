@@ -203,7 +203,7 @@ impl RawPlanner {
                 }
                 "prefer" if IS_COMPLETE && value.is_null() => {}
                 "prefer" if IS_COMPLETE => {
-                    asked.prefer = Some(json::word(plan::Prefer::WORDS)(&value).map_err(wrong)?)
+                    asked.prefer = Some(json::word(plan::Prefer::WORDS)(&value).map_err(wrong)?);
                 }
                 "start" | "goal" => {
                     let pose = if IS_COMPLETE {
