@@ -18,9 +18,12 @@
 
 use core::cell::OnceCell;
 
-use super::word::{EPS, Shape, Word};
+use super::word::{self, EPS, Shape, Word};
 use crate::geometry::Pose;
 use crate::geometry::math::{self, FRAC_PI_2, PI, TAU};
+
+/// A little below 1: what a bound that is computed in another way may lose to rounding.
+const LESS: f64 = 1.0 - 1e-9;
 
 /// Takes words as they are found.
 pub(super) trait Visit {
@@ -42,9 +45,8 @@ impl<F: FnMut(Word)> Visit for All<F> {
     }
 
     fn take(&mut self, shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]) {
-        let word = Word::new(shape, flip, reflect, lengths);
-        if word.total < self.bound {
-            (self.each)(word);
+        if word::total(lengths) < self.bound {
+            (self.each)(Word::new(shape, flip, reflect, lengths));
         }
     }
 }
@@ -61,7 +63,7 @@ impl Visit for Least {
     }
 
     fn take(&mut self, _: Shape, _: bool, _: bool, lengths: [f64; 5]) {
-        self.best = self.best.min(lengths.iter().map(|l| l.abs()).sum());
+        self.best = self.best.min(word::total(lengths));
     }
 }
 
@@ -167,7 +169,8 @@ impl Side {
     /// line, which needs |A| ≥ 2.
     fn same_turn(&self, to: &mut impl Visit) {
         let a = self.a.length;
-        if a <= 4.0 && to.bound() > 0.0 {
+        // An arcsine is not less than its sine.
+        if a <= 4.0 && a / 2.0 * LESS < to.bound() {
             let u = -2.0 * math::asin(a / 4.0);
             // None is shorter than its middle arc.
             let ways = if -u < to.bound() { &self.ways(self.a.angle())[..] } else { &[] };
@@ -248,7 +251,8 @@ impl Side {
     fn four_circles(&self, to: &mut impl Visit) {
         let b = self.b.length;
         let rho = (2.0 + b) / 4.0;
-        if rho <= 1.0 && to.bound() > 0.0 {
+        // An arc is not shorter than its chord.
+        if rho <= 1.0 && (8.0 - 8.0 * rho).sqrt() * LESS < to.bound() {
             let u = math::acos(rho);
             if 2.0 * u < to.bound() {
                 // sin u, cos u, sin 2u and cos 2u without another angle.
@@ -264,7 +268,7 @@ impl Side {
             }
         }
         let rho = (20.0 - b * b) / 16.0;
-        if (0.0..=1.0).contains(&rho) && to.bound() > 0.0 {
+        if (0.0..=1.0).contains(&rho) && (8.0 - 8.0 * rho).sqrt() * LESS < to.bound() {
             let u = -math::acos(rho);
             if -2.0 * u < to.bound() {
                 let lead = math::atan2(rho - 2.0, -(1.0 - rho * rho).sqrt());

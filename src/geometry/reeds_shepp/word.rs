@@ -64,12 +64,17 @@ impl Word {
     /// A word of a shape's signed lengths. `flip` drives the mirror image in time, with every gear the other one;
     /// `reflect` the mirror image in space, with left and right exchanged.
     pub(super) fn new(shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]) -> Self {
-        let (turns, count) = shape.turns();
+        let (turns @ [a, b, c, d, e], count) = shape.turns();
+        let [t, u, v, w, x] = lengths;
         Self {
-            turns: if reflect { turns.map(mirrored) } else { turns },
-            lengths: if flip { lengths.map(|l| -l) } else { lengths },
+            turns: if reflect {
+                [mirrored(a), mirrored(b), mirrored(c), mirrored(d), mirrored(e)]
+            } else {
+                turns
+            },
+            lengths: if flip { [-t, -u, -v, -w, -x] } else { lengths },
             count,
-            total: lengths.iter().map(|l| l.abs()).sum(),
+            total: total(lengths),
         }
     }
 
@@ -115,6 +120,12 @@ impl Word {
         }
         changes
     }
+}
+
+/// The length of a word, in radii.
+#[inline(always)]
+pub(super) fn total(lengths: [f64; 5]) -> f64 {
+    lengths.iter().map(|l| l.abs()).sum()
 }
 
 fn mirrored(turn: Turn) -> Turn {

@@ -88,12 +88,12 @@ impl ObstacleHeuristic {
 
     /// The middle of the disc at a pose.
     pub(super) fn disc(&self, at: Pose) -> Point {
-        at.to_world(Point::new(self.ahead, 0.0))
+        if self.ahead == 0.0 { at.point() } else { at.to_world(Point::new(self.ahead, 0.0)) }
     }
 
     /// The cell that holds the disc's centre at a pose; `None` off the raster.
     fn cell(&self, at: Pose) -> Option<Cell> {
-        self.flood.ground.frame.cell_at(at.to_world(Point::new(self.ahead, 0.0)))
+        self.flood.ground.frame.cell_at(self.disc(at))
     }
 
     /// Squares of the lattice that the flood reached.

@@ -21,8 +21,8 @@ use crate::vehicle::Vehicle;
 
 /// Overlaps shallower than this are contact, which is free, metres.
 pub(super) const CONTACT: f64 = 1e-6;
-/// Poses of a long arc that are looked at first are this far apart, in spacings.
-const STRIDE: u32 = 16;
+/// How far around the body edges are looked for to know how far it can go on, metres.
+const LOOK: f64 = 0.25;
 
 /// A place of the body: the rear axle's middle and the heading's sine and cosine.
 #[derive(Debug, Clone, Copy)]
@@ -52,7 +52,7 @@ impl Placement {
 
     /// The place after an arc of signed `length` from here, where the heading is `heading`; to the bit that of
     /// [`Pose::advance`].
-    fn after(self, heading: f64, curvature: f64, length: f64) -> Self {
+    pub(super) fn after(self, heading: f64, curvature: f64, length: f64) -> Self {
         if curvature == 0.0 {
             return self.along(curvature, length, self.sin, self.cos);
         }
@@ -62,6 +62,12 @@ impl Placement {
         let wrapped = math::wrap(heading);
         let (sin, cos) = if wrapped == heading { (sin, cos) } else { math::sin_cos(wrapped) };
         Self { sin, cos, ..place }
+    }
+
+    /// The place so many metres to the east and to the north.
+    #[cfg(test)]
+    pub(super) fn moved(self, x: f64, y: f64) -> Self {
+        Self { x: self.x + x, y: self.y + y, ..self }
     }
 
     fn local(self, p: Point) -> Point {
@@ -129,7 +135,11 @@ impl<'a> CollisionChecker<'a> {
     pub fn hit(&self, pose: Pose, margin: f64) -> Option<u32> {
         self.count(1);
         let place = Placement::of(pose);
-        if self.room(place) > self.disc_radius(margin) { None } else { self.exact(place, margin - CONTACT) }
+        if self.spare(place, self.disc_radius(margin)) > 0.0 {
+            None
+        } else {
+            self.exact(place, margin - CONTACT)
+        }
     }
 
     /// True if the body, grown by `margin` metres on every side or shrunk where that is negative, meets nothing with
@@ -137,7 +147,8 @@ impl<'a> CollisionChecker<'a> {
     pub fn fits(&self, at: Point, (sin, cos): (f64, f64), margin: f64) -> bool {
         self.count(1);
         let place = Placement { x: at.x, y: at.y, sin, cos };
-        self.room(place) > self.disc_radius(margin.max(0.0)) || self.exact(place, margin - CONTACT).is_none()
+        self.spare(place, self.disc_radius(margin.max(0.0))) > 0.0
+            || self.exact(place, margin - CONTACT).is_none()
     }
 
     /// True if an arc stays within the corridor, if there is one.
@@ -145,90 +156,10 @@ impl<'a> CollisionChecker<'a> {
         !IS_COMPLETE || self.corridor.is_none_or(|corridor| corridor.holds_arc(from, arc))
     }
 
-    /// True if the body with `margin` around it stays free along an arc, tested every `spacing` metres and at its end.
-    ///
-    /// The end is tested first: it is the farthest from what is known to be free. Where the body has room, the poses
-    /// that the room covers are free without a test.
-    pub fn arc_free(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> bool {
-        if !self.corridor_holds(from, arc) {
-            return false;
-        }
-        let steps = (arc.length.abs() / spacing).ceil().max(1.0);
-        let part = arc.length / steps;
-        let start = Placement::of(from);
-        let turn = arc.curvature * part;
-        let (turn_sin, turn_cos) = math::sin_cos(turn);
-        let radius = self.disc_radius(margin);
-        let max_disc_speed = part.abs() * self.max_disc_speed(arc.curvature);
-        let at = |k: u32, sin: f64, cos: f64| start.along(arc.curvature, part * f64::from(k), sin, cos);
-        let mut k = steps as u32;
-        let mut checks = 0;
-        let (mut sin, mut cos) = math::sin_cos(from.heading + turn * f64::from(k));
-        // What is in the way of a long arc is found soonest by looking at places far apart.
-        let mut far = k;
-        while far > STRIDE {
-            far -= STRIDE;
-            let (sin, cos) = math::sin_cos(from.heading + turn * f64::from(far));
-            checks += 1;
-            let place = at(far, sin, cos);
-            let spare = self.room(place) - radius;
-            if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
-                self.count(checks);
-                return false;
-            }
-            far = far.saturating_sub((spare.max(0.0) / max_disc_speed) as u32);
-        }
-        let free = loop {
-            let place = at(k, sin, cos);
-            checks += 1;
-            let spare = self.room(place) - radius;
-            if spare <= 0.0 && self.exact(place, margin - CONTACT).is_some() {
-                break false;
-            }
-            let settled = ((spare.max(0.0) / max_disc_speed) as u32).saturating_add(1);
-            if settled >= k {
-                break true;
-            }
-            k -= settled;
-            (sin, cos) = if settled == 1 {
-                (sin * turn_cos - cos * turn_sin, cos * turn_cos + sin * turn_sin)
-            } else {
-                math::sin_cos(from.heading + turn * f64::from(k))
-            };
-        };
-        self.count(checks);
-        free
-    }
-
-    /// How far the body with `margin` around it can drive along an arc until it meets something, metres without sign:
-    /// tested every `spacing` metres, or less often where there is room, and the end told to a sixteenth of that.
-    ///
-    /// Sampling may miss an obstacle that is thinner than the body moves between two samples, as in
-    /// [`CollisionChecker::arc_free`].
-    pub fn free_length(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> f64 {
-        let whole = arc.length.abs();
-        let radius = self.disc_radius(margin);
-        let max_disc_speed = self.max_disc_speed(arc.curvature);
-        let start = Placement::of(from);
-        let (mut reached, mut step) = (0.0, spacing);
-        while reached < whole && step > spacing / 17.0 {
-            let next = f64::min(reached + step, whole);
-            let place = start.after(from.heading, arc.curvature, next.copysign(arc.length));
-            self.count(1);
-            let spare = self.room(place) - radius;
-            if spare > 0.0 || self.exact(place, margin - CONTACT).is_none() {
-                reached = f64::min(next + spare.max(0.0) / max_disc_speed, whole);
-            } else {
-                step /= 2.0;
-            }
-        }
-        reached
-    }
-
     /// True if nothing is near the body with `margin` around it.
     /// A cheap test that errs on one side: true is certain, false means that something may be near. Not counted.
     pub fn clear_by(&self, pose: Pose, margin: f64) -> bool {
-        self.room(Placement::of(pose)) > self.disc_radius(margin)
+        self.spare(Placement::of(pose), self.disc_radius(margin)) > 0.0
     }
 
     /// How far a disc's centre moves per metre of an arc, at most.
@@ -238,22 +169,38 @@ impl<'a> CollisionChecker<'a> {
         (1.0 + swing * swing).sqrt()
     }
 
+    /// How far a point of the body with `margin` around it moves per metre of an arc, at most.
+    pub(super) fn max_body_speed(&self, curvature: f64, margin: f64) -> f64 {
+        let [front, back, side, _] = self.sides(margin);
+        let (along, across) = (1.0 + curvature.abs() * side, curvature * front.max(-back));
+        (along * along + across * across).sqrt()
+    }
+
     /// Radius of a disc that covers its part of the grown body.
     pub(super) fn disc_radius(&self, margin: f64) -> f64 {
         let (along, across) = (self.half_part + margin, self.vehicle.width / 2.0 + margin);
         (along * along + across * across).sqrt()
     }
 
-    /// A lower bound on the distance from the discs' centres to the nearest edge.
-    pub(super) fn room(&self, at: Placement) -> f64 {
-        let field = |&d: &f64| self.obstacles.field_at(at.x + d * at.cos, at.y + d * at.sin);
-        self.discs.iter().map(field).fold(f64::INFINITY, f64::min) - self.slack
+    /// How much farther than `radius` all edges are from the discs' centres at least; 0 where that is not certain.
+    #[inline(always)]
+    pub(super) fn spare(&self, at: Placement, radius: f64) -> f64 {
+        let mut least = f64::INFINITY;
+        for d in &self.discs {
+            let field = self.obstacles.field_at(at.x + d * at.cos, at.y + d * at.sin);
+            let spare = field - self.slack - radius;
+            if spare <= 0.0 {
+                return 0.0;
+            }
+            least = least.min(spare);
+        }
+        least
     }
 
     /// The answer of [`CollisionChecker::hit`] as a truth value, for a place whose sine and cosine are known; not
     /// counted.
     pub(super) fn is_free_at(&self, at: Placement, margin: f64) -> bool {
-        self.room(at) > self.disc_radius(margin) || self.exact(at, margin - CONTACT).is_none()
+        self.spare(at, self.disc_radius(margin)) > 0.0 || self.exact(at, margin - CONTACT).is_none()
     }
 
     /// The owner of an edge that the body with `margin` around it meets, by the edges themselves.
@@ -261,6 +208,23 @@ impl<'a> CollisionChecker<'a> {
         let sides = self.sides(margin);
         let (low, high) = self.bounds(at, margin);
         self.obstacles.find(low, high, |edge| segment_meets_box(at.local(edge.a), at.local(edge.b), sides))
+    }
+
+    /// A lower bound on the distance from the body with `margin` around it to the nearest edge, metres; nothing where
+    /// [`CollisionChecker::exact`] finds one that it meets.
+    pub(super) fn gap(&self, at: Placement, margin: f64) -> Option<f64> {
+        let sides = self.sides(margin);
+        let (low, high) = self.bounds(at, margin + LOOK);
+        let mut gap = LOOK;
+        let met = self.obstacles.find(low, high, |edge| {
+            let (a, b) = (at.local(edge.a), at.local(edge.b));
+            let beside = gap_beside(a, b, sides);
+            let apart = if beside > 0.0 { beside } else { gap_from_line(a, b, sides) };
+            gap = if apart < gap { apart } else { gap };
+            apart <= 0.0
+        });
+        // More than rounding adds.
+        if met.is_none() { Some(gap - CONTACT) } else { None }
     }
 
     /// Distance from the body to the nearest edge, metres, at most `limit`; 0 where it overlaps.
@@ -308,14 +272,29 @@ impl<'a> CollisionChecker<'a> {
 }
 
 /// Separating axes of a segment and an upright box: the box's two, then the segment's normal.
-fn segment_meets_box(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> bool {
-    if a.x.max(b.x) < back || a.x.min(b.x) > front || a.y.max(b.y) < right || a.y.min(b.y) > left {
-        return false;
-    }
+fn segment_meets_box(a: Point, b: Point, sides: [f64; 4]) -> bool {
+    gap_beside(a, b, sides) <= 0.0 && gap_from_line(a, b, sides) <= 0.0
+}
+
+/// How far a segment is beside an upright box, along the box's axes; not above 0 where it is beside none of its sides.
+#[inline(always)]
+fn gap_beside(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f64 {
+    let sorted = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
+    let larger = |a: f64, b: f64| if a < b { b } else { a };
+    let ((near, far), (low, high)) = (sorted(a.x, b.x), sorted(a.y, b.y));
+    larger(larger(near - front, back - far), larger(low - left, right - high))
+}
+
+/// How far an upright box is from the line through a segment; 0 where the line meets it.
+#[inline(always)]
+fn gap_from_line(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f64 {
     let (dx, dy) = (b.x - a.x, b.y - a.y);
     let side = |x: f64, y: f64| dx * (y - a.y) - dy * (x - a.x);
     let corners = [side(front, left), side(back, left), side(back, right), side(front, right)];
-    !(corners.iter().all(|&s| s > 0.0) || corners.iter().all(|&s| s < 0.0))
+    if !(corners.iter().all(|&s| s > 0.0) || corners.iter().all(|&s| s < 0.0)) {
+        return 0.0;
+    }
+    corners.iter().fold(f64::INFINITY, |least, s| least.min(s.abs())) / (dx * dx + dy * dy).sqrt()
 }
 
 #[cfg(test)]

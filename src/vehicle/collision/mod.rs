@@ -28,8 +28,10 @@
 //! assert_eq!(checker.hit(obstacles.local(Pose::new(7.0, 2.0, 0.0)), 0.0), Some(7));
 //! ```
 
+mod along_arc;
 mod checker;
 mod corridor;
+mod edge_buckets;
 mod obstacles;
 mod reach;
 #[cfg(test)]

@@ -1,15 +1,14 @@
 //! Everything that blocks, sorted into buckets, and how far each place is from it.
 //!
-//! Edges of walls, solids and the boundary are sorted once into square buckets, so that a pose is held against the
-//! edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in constant
+//! Edges of walls, solids and the boundary are sorted once into buckets ([`EdgeBuckets`]), so that a pose is held
+//! against the edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in constant
 //! time. Coordinates are local: the origin is the boundary's lower left corner.
 
+use super::edge_buckets::EdgeBuckets;
 use crate::geometry::polygon::{contains, nearest_share};
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::map::{Frame, Layer, Occupancy, WeightMap, distance, raster};
 
-/// Side of a broad-phase bucket, metres.
-const BUCKET: f64 = 2.0;
 /// Cells of the distance field, at most.
 const FIELD_CELLS: f64 = 300_000.0;
 /// Side of a field cell on worlds that are small enough, metres.
@@ -26,20 +25,6 @@ pub struct Edge {
     pub owner: u32,
 }
 
-impl Edge {
-    /// True if the boxes around the edge and from `low` to `high` have a point in common.
-    #[inline(always)]
-    #[expect(
-        clippy::needless_bitwise_bool,
-        reason = "nobody could foresee which way a branch for each side goes"
-    )]
-    fn reaches(&self, low: Point, high: Point) -> bool {
-        let [left, right] = if self.a.x < self.b.x { [self.a.x, self.b.x] } else { [self.b.x, self.a.x] };
-        let [bottom, top] = if self.a.y < self.b.y { [self.a.y, self.b.y] } else { [self.b.y, self.a.y] };
-        (right >= low.x) & (left <= high.x) & (top >= low.y) & (bottom <= high.y)
-    }
-}
-
 /// A closed outline and what it belongs to.
 #[derive(Debug, Clone)]
 pub struct Solid {
@@ -52,7 +37,7 @@ pub struct Solid {
 /// Everything that blocks, in a frame whose origin is the boundary's lower left corner. It never changes after it was
 /// made; [`Obstacles::painted`] makes another one of it.
 ///
-/// Memory: the distance field takes four bytes for each of some 300 000 cells at most, the buckets four bytes for
+/// Memory: the distance field takes four bytes for each of some 300 000 cells at most, the buckets twenty bytes for
 /// each edge that they hold. Making one is linear in edges, buckets and cells.
 #[derive(Debug)]
 pub struct Obstacles {
@@ -60,12 +45,7 @@ pub struct Obstacles {
     pub(super) edges: Vec<Edge>,
     solids: Vec<Solid>,
     boundary: Solid,
-    columns: usize,
-    rows: usize,
-    bucket: f64,
-    /// `first[b]..first[b + 1]` are the places in `members` of bucket b's edges.
-    first: Vec<u32>,
-    members: Vec<u32>,
+    buckets: EdgeBuckets,
     frame: Frame,
     /// Cells of the frame per metre.
     per_metre: f64,
@@ -108,30 +88,22 @@ impl Obstacles {
             edges.extend((0..n).map(edge));
         }
         let size = high - low;
-        let bucket = BUCKET.max(size.x.max(size.y) / 1024.0);
-        let (columns, rows) = ((size.x / bucket) as usize + 1, (size.y / bucket) as usize + 1);
         let frame = lattice(size, FIELD_CELL, FIELD_CELLS);
         let field = field(&edges, &frame);
         let fingerprint = fingerprint(&edges);
-        let mut obstacles = Self {
+        Self {
             origin: low,
+            buckets: EdgeBuckets::new(&edges, size),
             edges,
             solids,
             boundary,
-            columns,
-            rows,
-            bucket,
-            first: Vec::new(),
-            members: Vec::new(),
             per_metre: 1.0 / frame.resolution,
             frame,
             field,
             fingerprint,
             paint: None,
             original: None,
-        };
-        obstacles.fill_buckets();
-        obstacles
+        }
     }
 
     /// The same world on a floor with these costs, placed in world coordinates.
@@ -148,7 +120,7 @@ impl Obstacles {
     /// Bytes of the distance field, the edges and their buckets.
     pub fn bytes(&self) -> u64 {
         let arrays = size_of_val(&self.field.data[..]) + size_of_val(&self.edges[..]);
-        (arrays + size_of_val(&self.first[..]) + size_of_val(&self.members[..])) as u64
+        arrays as u64 + self.buckets.bytes()
     }
 
     /// Weights of the floor in the frame of all queries; `None` if all cells cost the same.
@@ -164,63 +136,10 @@ impl Obstacles {
         (frame, field(&self.edges, &frame))
     }
 
-    /// Sorts the edges into buckets by counting. An edge goes only into buckets that it comes near, not into all of
-    /// its box.
-    fn fill_buckets(&mut self) {
-        let mut pairs: Vec<(u32, u32)> = Vec::new();
-        let half_diagonal = self.bucket * core::f64::consts::FRAC_1_SQRT_2 * 1.001;
-        for (i, edge) in self.edges.iter().enumerate() {
-            let (low, high) = bounds([edge.a, edge.b]);
-            self.buckets(low, high, |b| {
-                let [x, y] = [b % self.columns, b / self.columns].map(|k| (k as f64 + 0.5) * self.bucket);
-                // Edges off the boundary are kept in the outermost buckets.
-                let is_last = |k: usize, n: usize| k == 0 || k + 1 == n;
-                let is_outer =
-                    is_last(b % self.columns, self.columns) || is_last(b / self.columns, self.rows);
-                if is_outer || point_distance(Point::new(x, y), edge.a, edge.b) <= half_diagonal {
-                    pairs.push((b as u32, i as u32));
-                }
-            });
-        }
-        self.first = vec![0; self.columns * self.rows + 1];
-        for &(bucket, _) in &pairs {
-            self.first[bucket as usize + 1] += 1;
-        }
-        for b in 1..self.first.len() {
-            self.first[b] += self.first[b - 1];
-        }
-        let mut next = self.first.clone();
-        self.members = vec![0; pairs.len()];
-        for (bucket, member) in pairs {
-            let place = &mut next[bucket as usize];
-            self.members[*place as usize] = member;
-            *place += 1;
-        }
-    }
-
-    /// The edges whose own box meets a box, until one satisfies `wanted`. Of the last 64, among which are those of the
-    /// outline, none comes twice; others may.
-    pub(super) fn find(&self, low: Point, high: Point, mut wanted: impl FnMut(&Edge) -> bool) -> Option<u32> {
-        let place = |v: f64, n: usize| (v / self.bucket).clamp(0.0, (n - 1) as f64) as usize;
-        let (left, right) = (place(low.x, self.columns), place(high.x, self.columns));
-        let (last, mut seen) = (self.edges.len() as u32, 0_u64);
-        for y in place(low.y, self.rows)..=place(high.y, self.rows) {
-            // The buckets of a row are neighbours, and so are their members.
-            let row = y * self.columns;
-            let members = self.first[row + left] as usize..self.first[row + right + 1] as usize;
-            for &i in &self.members[members] {
-                let edge = &self.edges[i as usize];
-                if edge.reaches(low, high) {
-                    // Long ones lie in many buckets.
-                    let bit = 1_u64.checked_shl(last - i - 1).unwrap_or(0);
-                    if seen & bit == 0 && wanted(edge) {
-                        return Some(edge.owner);
-                    }
-                    seen |= bit;
-                }
-            }
-        }
-        None
+    /// The edges whose own box meets a box, until one satisfies `wanted`: its owner. Few of them come twice.
+    #[inline(always)]
+    pub(super) fn find(&self, low: Point, high: Point, wanted: impl FnMut(&Edge) -> bool) -> Option<u32> {
+        self.buckets.find(&self.edges, low, high, wanted)
     }
 
     /// Distance from a local point to the nearest edge, metres, at most `limit`.
@@ -234,16 +153,6 @@ impl Obstacles {
             false
         });
         best
-    }
-
-    /// Calls `each` with every bucket that a box meets; what lies outside counts to the outermost ones.
-    fn buckets(&self, low: Point, high: Point, mut each: impl FnMut(usize)) {
-        let place = |v: f64, n: usize| (v / self.bucket).clamp(0.0, (n - 1) as f64) as usize;
-        for y in place(low.y, self.rows)..=place(high.y, self.rows) {
-            for x in place(low.x, self.columns)..=place(high.x, self.columns) {
-                each(y * self.columns + x);
-            }
-        }
     }
 
     /// A world pose in the frame of all queries.
@@ -278,7 +187,7 @@ impl Obstacles {
         let [x, y] = [(x - self.frame.origin.x) * self.per_metre, (y - self.frame.origin.y) * self.per_metre];
         let Frame { width, height, .. } = self.frame;
         if x >= 0.0 && y >= 0.0 && x < f64::from(width) && y < f64::from(height) {
-            f64::from(self.field.data[y as usize * width as usize + x as usize])
+            f64::from(self.field.data[(y as u32 * width + x as u32) as usize])
         } else {
             0.0
         }

@@ -130,8 +130,11 @@ impl Reach {
         let turn_sin = turn.0 * sign.copysign(arc.curvature * arc.length);
         let at = |along: f64| math::sin_cos(self.from.heading + arc.curvature * along * sign);
         let (mut sin, mut cos) = if free == 0.0 { (self.start.sin, self.start.cos) } else { at(free) };
+        let max_body_speed = checker.max_body_speed(arc.curvature, margin);
         let mut checks = 0;
         let mut blocked = 0.0;
+        // Up to here the body is known to be free.
+        let mut known = 0.0;
         while free < length {
             let next = free + spacing;
             if arc.curvature != 0.0 {
@@ -139,11 +142,14 @@ impl Reach {
             }
             let place = self.start.along(arc.curvature, next * sign, sin, cos);
             checks += 1;
-            let spare = checker.room(place) - radius;
+            let spare = checker.spare(place, radius);
             if spare <= 0.0 {
-                if checker.exact(place, margin - CONTACT).is_some() {
-                    blocked = next;
-                    break;
+                if next > known {
+                    let Some(gap) = checker.gap(place, margin - CONTACT) else {
+                        blocked = next;
+                        break;
+                    };
+                    known = next + gap / max_body_speed;
                 }
                 free = next;
             } else {

@@ -296,7 +296,7 @@ fn a_wall_may_be_a_point() {
 
 #[test]
 fn memory_is_told() {
-    // Cells of 0.25 m, four edges, buckets of 2 m: 16 × 11 and an end, of which 2·(16 + 11) hold an edge.
-    let bytes = 123 * 83 * 4 + 4 * size_of::<Edge>() + (16 * 11 + 1) * 4 + 54 * 4;
+    // Cells of 0.25 m, four edges, buckets of 2 m: 16 × 11 and an end, of which 2·(16 + 11) hold an edge and its box.
+    let bytes = 123 * 83 * 4 + 4 * size_of::<Edge>() + (16 * 11 + 1) * 4 + 54 * 20;
     assert_eq!(world(0).obstacles.bytes(), bytes as u64);
 }
