@@ -45,8 +45,9 @@ impl<F: FnMut(Word)> Visit for All<F> {
     }
 
     fn take(&mut self, shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]) {
-        if word::total(lengths) < self.bound {
-            (self.each)(Word::new(shape, flip, reflect, lengths));
+        let total = word::total(lengths);
+        if total < self.bound {
+            (self.each)(Word::new(shape, flip, reflect, lengths, total));
         }
     }
 }

@@ -61,9 +61,9 @@ pub struct Word {
 }
 
 impl Word {
-    /// A word of a shape's signed lengths. `flip` drives the mirror image in time, with every gear the other one;
-    /// `reflect` the mirror image in space, with left and right exchanged.
-    pub(super) fn new(shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5]) -> Self {
+    /// A word of a shape's signed lengths, whose sum without signs is `total`. `flip` drives the mirror image in time,
+    /// with every gear the other one; `reflect` the mirror image in space, with left and right exchanged.
+    pub(super) fn new(shape: Shape, flip: bool, reflect: bool, lengths: [f64; 5], total: f64) -> Self {
         let (turns @ [a, b, c, d, e], count) = shape.turns();
         let [t, u, v, w, x] = lengths;
         Self {
@@ -74,7 +74,7 @@ impl Word {
             },
             lengths: if flip { [-t, -u, -v, -w, -x] } else { lengths },
             count,
-            total: total(lengths),
+            total,
         }
     }
 

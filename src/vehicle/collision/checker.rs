@@ -135,11 +135,7 @@ impl<'a> CollisionChecker<'a> {
     pub fn hit(&self, pose: Pose, margin: f64) -> Option<u32> {
         self.count(1);
         let place = Placement::of(pose);
-        if self.spare(place, self.disc_radius(margin)) > 0.0 {
-            None
-        } else {
-            self.exact(place, margin - CONTACT)
-        }
+        if self.has_room(place, margin) { None } else { self.exact(place, margin - CONTACT) }
     }
 
     /// True if the body, grown by `margin` metres on every side or shrunk where that is negative, meets nothing with
@@ -147,8 +143,7 @@ impl<'a> CollisionChecker<'a> {
     pub fn fits(&self, at: Point, (sin, cos): (f64, f64), margin: f64) -> bool {
         self.count(1);
         let place = Placement { x: at.x, y: at.y, sin, cos };
-        self.spare(place, self.disc_radius(margin.max(0.0))) > 0.0
-            || self.exact(place, margin - CONTACT).is_none()
+        self.has_room(place, margin.max(0.0)) || self.exact(place, margin - CONTACT).is_none()
     }
 
     /// True if an arc stays within the corridor, if there is one.
@@ -159,7 +154,7 @@ impl<'a> CollisionChecker<'a> {
     /// True if nothing is near the body with `margin` around it.
     /// A cheap test that errs on one side: true is certain, false means that something may be near. Not counted.
     pub fn clear_by(&self, pose: Pose, margin: f64) -> bool {
-        self.spare(Placement::of(pose), self.disc_radius(margin)) > 0.0
+        self.has_room(Placement::of(pose), margin)
     }
 
     /// How far a disc's centre moves per metre of an arc, at most.
@@ -182,6 +177,12 @@ impl<'a> CollisionChecker<'a> {
         (along * along + across * across).sqrt()
     }
 
+    /// True if the discs that cover the body with `margin` around it are certain to meet nothing.
+    #[inline(never)]
+    fn has_room(&self, at: Placement, margin: f64) -> bool {
+        self.spare(at, self.disc_radius(margin)) > 0.0
+    }
+
     /// How much farther than `radius` all edges are from the discs' centres at least; 0 where that is not certain.
     #[inline(always)]
     pub(super) fn spare(&self, at: Placement, radius: f64) -> f64 {
@@ -200,7 +201,7 @@ impl<'a> CollisionChecker<'a> {
     /// The answer of [`CollisionChecker::hit`] as a truth value, for a place whose sine and cosine are known; not
     /// counted.
     pub(super) fn is_free_at(&self, at: Placement, margin: f64) -> bool {
-        self.spare(at, self.disc_radius(margin)) > 0.0 || self.exact(at, margin - CONTACT).is_none()
+        self.has_room(at, margin) || self.exact(at, margin - CONTACT).is_none()
     }
 
     /// The owner of an edge that the body with `margin` around it meets, by the edges themselves.
