@@ -2,7 +2,7 @@
 //! under the same measure. Prints for each pair how many answers cost over 1 % more, and by how much.
 //!
 //! ```sh
-//! cargo run --release --example freedom [count] [first seed] [verbose]
+//! cargo run --release --example freedom [count] [first seed] [verbose] [random|KIND …]
 //! ```
 
 #[path = "../../tests/freedom/mod.rs"]
@@ -14,7 +14,7 @@ mod random_scenes;
 #[expect(dead_code, reason = "scenes are planned as they are drawn")]
 mod tight_scenes;
 
-use freedom::{Compared, MARGINS, OTHERS, PRICES, Pair, Question};
+use freedom::{Answers, Compared, MARGINS, OTHERS, PRICES, Pair, Question};
 use parkade::planners::hybrid::{Config, obstacles};
 use parkade::vehicle::Vehicle;
 use tight_scenes::KINDS;
@@ -39,6 +39,9 @@ fn main() {
     let number =
         |at: usize, default: u64| words.get(at).and_then(|word| word.parse().ok()).unwrap_or(default);
     let is_verbose = words.iter().any(|word| word == "verbose");
+    let kinds: Vec<&str> =
+        words.iter().skip(2).map(String::as_str).filter(|&word| word != "verbose").collect();
+    let is_asked = |kind: &str| kinds.is_empty() || kinds.contains(&kind);
     let mut tallies = vec![Tally::default(); pairs().count()];
     for seed in number(1, 1)..number(1, 1) + number(0, 20) {
         let (scene, _) = random_scenes::scene(seed);
@@ -46,9 +49,11 @@ fn main() {
         let around = obstacles(&geometry);
         let (start, goal) = (geometry.start, geometry.goal);
         let question = Question { obstacles: &around, vehicle: geometry.vehicle, start, goal };
-        ask(&format!("random, seed {seed}"), question, &mut tallies, is_verbose);
+        if is_asked("random") {
+            ask(&format!("random, seed {seed}"), question, &mut tallies, is_verbose);
+        }
         let car = [Vehicle::SEDAN, Vehicle::PAPER][seed as usize % 2];
-        for (_, make) in KINDS {
+        for (_, make) in KINDS.into_iter().filter(|(kind, _)| is_asked(kind)) {
             let scene = make(&car, seed);
             let (start, goal) = (scene.start, scene.goal);
             let question = Question { obstacles: &scene.obstacles, vehicle: scene.vehicle, start, goal };
@@ -73,8 +78,9 @@ fn main() {
 }
 
 fn ask(name: &str, question: Question, tallies: &mut [Tally], is_verbose: bool) {
+    let answers = Answers::new(question);
     for (pair, tally) in pairs().zip(tallies) {
-        let Some(Compared { ratio, levels }) = pair.compare(question, Config::default()) else { continue };
+        let Some(Compared { ratio, levels }) = pair.compare(&answers, Config::default()) else { continue };
         tally.count += 1;
         if ratio > LOSS {
             if levels == [0, 0] { &mut tally.coarse } else { &mut tally.fine }.push(ratio);

@@ -47,11 +47,11 @@ pub(crate) fn solver(scene: &Scene) -> Option<(&'static str, Answer)> {
 }
 
 /// Collision checks of the planner for each of the best single search that finds a path with as much margin; 1 where
-/// none finds one with as many expansions.
+/// none finds one with as many expansions. A search ends after as many as the best one so far took.
 pub(crate) fn work(scene: &Scene, answer: &Answer) -> f64 {
-    let mut least = answer.checks;
-    for search_from in [SearchFrom::Goal, SearchFrom::Start, SearchFrom::Both] {
-        for (xy, degrees, step, steers, weight) in LEVELS {
+    let (mut least, mut most) = (answer.checks, answer.expanded.max(1));
+    for (xy, degrees, step, steers, weight) in LEVELS {
+        for search_from in [SearchFrom::Goal, SearchFrom::Start, SearchFrom::Both] {
             let config = Config {
                 search_from,
                 margin: answer.margin,
@@ -61,12 +61,13 @@ pub(crate) fn work(scene: &Scene, answer: &Answer) -> f64 {
                 steer_samples: Some(steers),
                 heuristic_weight: Some(weight),
                 ladder: false,
-                max_expansions: Some(answer.expanded.max(1)),
+                max_expansions: Some(most),
                 ..Config::default()
             };
             let alone = Answer::of(scene, &config);
             if alone.is_solved() && alone.margin >= answer.margin {
                 least = least.min(alone.checks);
+                most = most.min(alone.expanded.max(1));
             }
         }
     }

@@ -248,6 +248,11 @@ impl<'a> Progress<'a> {
         (self.base, self.before) = (expanded, expanded);
     }
 
+    /// Expansions of the earlier plans that are told as one with this.
+    pub fn earlier(&self) -> u32 {
+        self.base
+    }
+
     /// The searches have ended; what follows checks and measures their path.
     pub fn finish(&mut self, expanded: u32) {
         if !self.stopped {

@@ -216,12 +216,13 @@ fn every_competition_case_is_solved_with_hardly_more_gear_changes_than_known() {
     }
 }
 
-/// With prices of their own, and with less margin, no answer costs more by the asked measure than the usual path does.
+/// With prices of their own, and with less margin, no answer costs over 1 % more by the asked measure than the usual
+/// path does.
 /// In the garage of seed 302 an obstacle cost of 5 left the search without a path.
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn prices_and_less_margin_cost_no_more_than_the_usual_path() {
-    use crate::freedom::{MARGINS, PRICES, Pair, Question};
+    use crate::freedom::{Answers, MARGINS, PRICES, Pair, Question};
     use crate::tight_scenes::garage;
     let mut compared = 0;
     for seed in 301..=303 {
@@ -229,17 +230,13 @@ fn prices_and_less_margin_cost_no_more_than_the_usual_path() {
             let Scene { name, vehicle, obstacles, start, goal, .. } =
                 &make([&Vehicle::SEDAN, &Vehicle::PAPER][seed as usize % 2], seed);
             let question = Question { obstacles, vehicle: *vehicle, start: *start, goal: *goal };
-            let mut hold = |pair: &Pair, most: f64| {
-                let Some(one) = pair.compare(question, Config::default()) else { return };
+            let answers = Answers::new(question);
+            let mut hold = |pair: &Pair| {
+                let Some(one) = pair.compare(&answers, Config::default()) else { return };
                 compared += 1;
-                assert!(one.ratio <= most, "{name}: {}, {}", pair.name, one.ratio);
+                assert!(one.ratio <= 1.01, "{name}: {}, {}", pair.name, one.ratio);
             };
-            for pair in &PRICES {
-                hold(pair, 1.0 + 1e-9);
-            }
-            for pair in &MARGINS {
-                hold(pair, 1.01);
-            }
+            PRICES.iter().chain(&MARGINS).for_each(&mut hold);
         }
     }
     assert!(compared >= 30, "{compared}");

@@ -49,10 +49,10 @@ json::words!(Prefer: "shortest" = Shortest, "fewest-changes" = FewestChanges, "w
 const ENOUGH_CLEARANCE: f64 = 1.0;
 /// Expansions of each level's search with one margin.
 const WIDER_EXPANSIONS: [u32; 2] = [3000, 8000];
-/// Expansions of each level's search for fewer gear changes in layers.
-const LAYER_EXPANSIONS: [u32; 3] = [5000, 20_000, 40_000];
-/// The finest level on which fewer are looked for.
-const FINEST_LAYER_LEVEL: u32 = 3;
+/// Expansions of each search for fewer gear changes in layers.
+const LAYER_EXPANSIONS: u32 = 5000;
+/// The finest level on which fewer are looked for by a price.
+const FINEST_PRICED_LEVEL: u32 = 3;
 /// Margins with which fewer are looked for beside the one kept, metres.
 const FEWER_CHANGES_MARGINS: [f64; 3] = [COMFORTABLE_MARGIN, 0.01, MIN_MARGIN];
 /// Extra cost of a gear change there, metres, …
@@ -179,28 +179,29 @@ impl Run<'_, '_> {
     }
 
     /// The fewest gear changes, and of those paths the shortest, with the margin kept and, where less saves some, with
-    /// less. In layers on coarse lattices, from both ends on the coarsest; on fine ones, which would spend all they
-    /// have on the first layers, by a price that is worth a detour. From the other end fine steps only spend their
+    /// less. In layers on the coarsest lattice, from both ends; on finer ones, which would spend all they have on the
+    /// first layers, by a price that is worth a detour. From the other end fine steps only spend their
     /// budget: it is the one with room.
     fn fewer_changes(&mut self) -> Goes {
         for margin in self.kept..self.floods.count() {
-            self.layers(0, margin, false)?;
+            self.layers(margin, false)?;
             if self.work.report.status != Status::NoPath {
-                self.layers(0, margin, true)?;
+                self.layers(margin, true)?;
             }
-            // Who creeps does so for fewer changes, not for a shorter way with as many.
-            let creeps = margin > self.kept && self.floods.margin(margin) < COMFORTABLE_MARGIN;
-            for number in 1..=FINEST_LAYER_LEVEL {
-                if !creeps {
-                    self.fewer_by_price(number, margin)?;
-                }
-                self.layers(number, margin, false)?;
+            for number in 1..=FINEST_PRICED_LEVEL {
+                self.fewer_by_price(number, margin)?;
             }
-            if creeps && self.floods.margin(margin) == CREEPING_MARGIN {
+            if self.creeps(margin) && self.floods.margin(margin) == CREEPING_MARGIN {
                 self.creep(margin)?;
             }
         }
         Goes::Continue(())
+    }
+
+    /// True if a path with one of the margins keeps less than the first and less than is comfortable. Who creeps does so
+    /// for fewer changes, not for a shorter way with as many.
+    fn creeps(&self, margin: usize) -> bool {
+        margin > self.kept && self.floods.margin(margin) < COMFORTABLE_MARGIN
     }
 
     /// A path with few gear changes where there is none yet, on the lattices that find one in a slot with hardly any
@@ -228,41 +229,39 @@ impl Run<'_, '_> {
     }
 
     /// All that can be reached without a gear change, then with one, and so on, short of as many as are known: layers
-    /// of one search, in which a change is dearer than any way.
-    fn layers(&mut self, number: u32, margin: usize, is_swapped: bool) -> Goes {
+    /// of one search of the coarsest lattice, in which a change is dearer than any way.
+    fn layers(&mut self, margin: usize, is_swapped: bool) -> Goes {
         let config = *self.search.config;
-        // Fine steps find nothing without changes that coarse ones do not. From the start a search leads to one goal.
-        if (is_swapped && !self.search.goals.is_empty())
-            || number >= config.levels()
-            || number as usize >= LAYER_EXPANSIONS.len()
-            || self.changes < number.max(1)
-        {
+        // From the start a search leads to one goal.
+        if self.changes == 0 || (is_swapped && !self.search.goals.is_empty()) {
             return Goes::Continue(());
         }
         let price = CHANGE_PRICE + CHANGE_PRICE_LENGTHS * arcs::length(&self.first.arcs);
         let level = Level {
             extra_change: price - config.with_profile().direction_change_cost,
             bound: price * f64::from(self.changes),
-            ..config.level(number)
+            ..config.level(0)
         };
-        let most = LAYER_EXPANSIONS[number as usize];
-        self.attempt(&config, (level, number, most), margin, is_swapped)?;
-        if number == 0 && !is_swapped && self.changes > 0 {
+        self.attempt(&config, (level, 0, LAYER_EXPANSIONS), margin, is_swapped)?;
+        if !is_swapped && self.changes > 0 {
             // The order of the search decides which pose stands for a cell. Without an estimate it goes through each
             // layer as an exhaustive search does, and misses nothing that this one finds.
             let all = Level { weight: 0.0, bound: price * f64::from(self.changes), ..level };
-            self.attempt(&config, (all, number, most), margin, false)?;
+            self.attempt(&config, (all, 0, LAYER_EXPANSIONS), margin, false)?;
         }
         Goes::Continue(())
     }
 
-    /// A path with fewer gear changes on a fine lattice, where a change costs 5 m more than usual.
+    /// A path with fewer gear changes on a fine lattice, where a change costs 5 m more than usual. With little margin
+    /// every state is tried with a curve to the target: the last change is often the one that a curve saves.
     fn fewer_by_price(&mut self, number: u32, margin: usize) -> Goes {
         let config = *self.search.config;
         if number >= config.levels() || self.changes < 2 {
             return Goes::Continue(());
         }
-        let level = Level { extra_change: EXTRA_CHANGE_COST, ..config.level(number) };
+        let level = config.level(number);
+        let connect_every = if self.creeps(margin) { 1 } else { level.connect_every };
+        let level = Level { extra_change: EXTRA_CHANGE_COST, connect_every, ..level };
         self.attempt(&config, (level, number, PRICED_EXPANSIONS), margin, false)?;
         Goes::Continue(())
     }
@@ -358,7 +357,12 @@ impl Run<'_, '_> {
         if found {
             let counters = self.work.report.counters();
             let mut path = core::mem::replace(self.work.report, counters);
-            self.changes = self.changes.min(arcs::direction_changes(&path.arcs));
+            self.work.report.status = Status::Suboptimal;
+            let changes = arcs::direction_changes(&path.arcs);
+            if self.creeps(margin) && changes >= self.changes {
+                return Goes::Continue(true);
+            }
+            self.changes = self.changes.min(changes);
             if !self.search.goals.is_empty() {
                 let clearance = widest::clearance(self.search.checker, self.search.start, &path.arcs);
                 self.widest = self.widest.max(clearance);
@@ -366,7 +370,6 @@ impl Run<'_, '_> {
             let costs = self.search.arrived(&path.arcs).costs();
             path.cost = costs.path(self.search.checker, self.search.start, &path.arcs);
             path.status = Status::Suboptimal;
-            self.work.report.status = Status::Suboptimal;
             (self.offer)(path)?;
         }
         Goes::Continue(found)

@@ -239,8 +239,6 @@ pub(super) struct Level {
     pub(super) far_reverse: f64,
     /// Extra cost of a gear change while searching, metres.
     pub(super) extra_change: f64,
-    /// True if nearness to obstacles costs nothing while searching.
-    pub(super) plain: bool,
     /// States whose cost reaches this bound are left out.
     pub(super) bound: f64,
     /// Every so-many-th state is tried with a curve to the target: on a fine lattice neighbours see the same.
@@ -341,7 +339,6 @@ impl Config {
             weight: self.heuristic_weight.unwrap_or(weight),
             far_reverse: 0.0,
             extra_change: if number > 0 && !shuffle { 2.0 } else { 0.0 },
-            plain: false,
             bound: f64::INFINITY,
             connect_every,
             shuffle,

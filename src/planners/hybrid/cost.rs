@@ -103,21 +103,15 @@ impl CostModel {
     }
 
     /// What a level searches by: it may shun gear changes and long ways in reverse more than the path will be charged
-    /// for, and obstacles less.
+    /// for.
     pub(super) fn searching(self, level: &Level) -> Self {
-        let obstacle = if level.plain { 0.0 } else { self.obstacle };
         let change = self.change + level.extra_change;
-        Self { far_reverse: level.far_reverse, many_changes: 0.0, change, obstacle, ..self }
+        Self { far_reverse: level.far_reverse, many_changes: 0.0, change, ..self }
     }
 
     /// Price of a gear change, metres.
     pub(super) fn change(&self) -> f64 {
         self.change
-    }
-
-    /// True if nearness to obstacles costs something.
-    pub(super) fn has_obstacles(&self) -> bool {
-        self.obstacle != 0.0
     }
 
     /// True if the car drives this arc of the tree in reverse.

@@ -20,9 +20,9 @@
 
 use super::config::{Config, Level};
 use super::obstacle_heuristic::ObstacleHeuristic;
-use super::plan;
 use super::question::{MIN_MARGIN, Query, Scratch, Search, TIGHT_CLEARANCE, Work, nearest};
 use super::report::{Report, Status};
+use super::{compared, plan};
 use crate::geometry::{Pose, arcs, math, reeds_shepp};
 use crate::search::Progress;
 use crate::vehicle::Vehicle;
@@ -169,7 +169,9 @@ impl Many<'_> {
         sum.stats.bytes += flood.bytes();
         let Some((at, found)) = best else { return self.one_by_one(sum, scratch, progress) };
         sum.stats.bytes += self.query.obstacles.bytes();
-        (at, Report { stats: sum.stats, collision_checks: sum.collision_checks, ..found })
+        let found = Report { stats: sum.stats, collision_checks: sum.collision_checks, ..found };
+        let query = Query { goal: self.worlds[at], ..*self.query };
+        (at, compared(&query, self.config, found, scratch, self.trace, progress))
     }
 
     /// The path in a report, with the goal that it leads to; the report then has counters only.

@@ -55,9 +55,6 @@ const FAR_REVERSE_EFFORT: f64 = 50.0;
 const FEWER_CHANGES_EXPANSIONS: u32 = 10_000;
 const FEWER_CHANGES_EFFORT: u32 = 2;
 
-/// Margins that a path is tried with, too, where less is asked for, metres.
-const COMPARED_MARGINS: [f64; 2] = [0.05, 0.1];
-
 /// How the first level ended.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum First {
@@ -84,7 +81,6 @@ impl Search<'_> {
                 let soon = Level { max_expansions: soon.max_expansions.min(OTHER_END_EXPANSIONS), ..soon };
                 if other.level(soon, work) {
                     other.reconsider(level, work);
-                    other.compare(level, work);
                     return First::Found;
                 }
                 if work.report.status == Status::NoPath {
@@ -97,25 +93,7 @@ impl Search<'_> {
             return First::Failed;
         }
         self.reconsider(level, work);
-        self.compare(level, work);
         First::Found
-    }
-
-    /// Holds the path against what the same search finds with more margin and without the cost of obstacles: a lattice
-    /// may hide a cheaper way from the search that is free to take it.
-    fn compare(&self, level: Level, work: &mut Work) {
-        let level = Level { max_expansions: level.max_expansions.min(FIRST_BUDGET), ..level };
-        let margin = work.report.margin;
-        for more in COMPARED_MARGINS {
-            if self.config.margin < more {
-                work.report.margin = more;
-                self.retry(level, Some(work.report.status), work);
-            }
-        }
-        work.report.margin = margin;
-        if self.costs().has_obstacles() {
-            self.retry(Level { plain: true, ..level }, Some(work.report.status), work);
-        }
     }
 
     /// The first level with what the first try leaves of its budget. On long cluttered ways the plain estimate spends

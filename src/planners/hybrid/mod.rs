@@ -105,17 +105,27 @@ pub fn plan(
     progress: &mut Option<Progress>,
 ) -> Report {
     let report = search_alone(query, config, scratch, trace, progress);
-    if !IS_COMPLETE {
-        return report;
-    }
+    if IS_COMPLETE { compared(query, config, report, scratch, trace, progress) } else { report }
+}
+
+/// The answer, or what other settings find for less by the same measure; the rest of the work counts, too.
+fn compared(
+    query: &Query,
+    config: &Config,
+    report: Report,
+    scratch: &mut Scratch,
+    trace: bool,
+    progress: &mut Option<Progress>,
+) -> Report {
+    let earlier = progress.as_ref().map_or(0, Progress::earlier);
     rivals::compare(query, config, report, &mut |rival, before| {
         if let Some(progress) = progress {
             if progress.is_stopped() {
                 return None;
             }
-            progress.continue_after(before);
+            progress.continue_after(earlier.saturating_add(before));
         }
-        Some(search_alone(query, rival, scratch, trace, progress))
+        Some(plan(query, rival, scratch, trace, progress))
     })
 }
 

@@ -2,15 +2,22 @@
 //!
 //! Prices other than the usual ones lead the search elsewhere: it may spend its budget near obstacles that are dear, or
 //! end with a path that costs more, by these very prices, than the one of a planner that knows nothing of them. Less
-//! margin leads the finer lattices elsewhere, too. So the answer to such settings is held against that of the usual
-//! prices and, where the coarsest level gave no path, against that of the usual margin; the cheaper path counts.
+//! margin leads the lattices elsewhere, too. So the answer to such settings is held against that of the usual prices
+//! and that of the usual margin. The usual answer itself is held against another one only where it is a coarse path with
+//! many gear changes: what those cost is no part of a search, and prices that shun them may lead to a cheaper path.
+//!
+//! A rival has rivals of its own, so all settings choose among the same paths, and none loses to the others.
 
 use super::config::Config;
 use super::cost::CostModel;
-use super::profile::Profile;
+use super::profile::{FEW_CHANGES, Profile};
 use super::question::{MIN_MARGIN, Query};
 use super::report::{Report, Status};
+use crate::geometry::arcs;
 use crate::vehicle::collision::CollisionChecker;
+
+/// A path that costs no more than this many times the shortest curve without obstacles has no rivals.
+const SETTLED: f64 = 1.01;
 
 impl Config {
     /// The same with the prices of other settings, by which paths are compared.
@@ -27,15 +34,33 @@ impl Config {
     }
 
     /// The settings whose answers this one's is held against.
-    fn rivals(&self, report: &Report) -> impl Iterator<Item = Self> + use<> {
+    fn rivals(&self, report: &Report) -> Vec<Self> {
         // A single search was asked for, or the first connection.
-        let is_whole = self.ladder && !self.first_shot;
+        if !self.ladder || self.first_shot || is_settled(report) {
+            return Vec::new();
+        }
         let usual = Self::default();
-        let is_priced = is_whole && usual.with_prices_of(&self.with_profile()) != usual;
-        let is_close = is_whole && self.margin < usual.margin && (report.level > 0 || report.arcs.is_empty());
-        let priced = is_priced.then(|| self.with_prices_of(&usual));
-        priced.into_iter().chain(is_close.then_some(Self { margin: usual.margin, ..*self }))
+        let priced = self.with_prices_of(&usual);
+        let is_winding = arcs::direction_changes(&report.arcs) > FEW_CHANGES;
+        let is_coarse = report.level == 0 && !report.arcs.is_empty();
+        let mut rivals = Vec::new();
+        if usual.with_prices_of(&self.with_profile()) != usual {
+            rivals.push(priced);
+        } else if self.profile == Profile::Shortest && (is_winding || !is_coarse) {
+            rivals.push(priced);
+        } else if self.profile == Profile::Practical && is_winding && is_coarse {
+            rivals.push(Self { profile: Profile::Comfort, ladder: false, ..*self });
+        }
+        if self.margin < usual.margin {
+            rivals.push(Self { margin: usual.margin, ..*self });
+        }
+        rivals
     }
+}
+
+/// True if no path with as much margin costs much less.
+fn is_settled(report: &Report) -> bool {
+    report.level == 0 && !report.arcs.is_empty() && report.cost <= SETTLED * report.rs_bound
 }
 
 /// The cheapest of an answer and its rivals. Its counters are those of all searches. `search` plans with other settings
