@@ -172,7 +172,7 @@ impl Run {
             }
             tally.members.push(solver.is_some());
         }
-        let is_sample = seed / CARS.len() as u64 % WORK_EVERY == 0;
+        let is_sample = (seed / CARS.len() as u64).is_multiple_of(WORK_EVERY);
         if self.has_work && is_sample && answer.is_solved() {
             tally.work.push(members::work(&scene, &answer));
         }

@@ -18,6 +18,8 @@ use crate::vehicle::collision::CollisionChecker;
 
 /// A path that costs no more than this many times the shortest curve without obstacles has no rivals.
 const SETTLED: f64 = 1.01;
+/// Expansions of the usual answer's rival, for each that the answer took.
+const EFFORT: u32 = 4;
 
 impl Config {
     /// The same with the prices of other settings, by which paths are compared.
@@ -40,16 +42,16 @@ impl Config {
             return Vec::new();
         }
         let usual = Self::default();
-        let priced = self.with_prices_of(&usual);
         let is_winding = arcs::direction_changes(&report.arcs) > FEW_CHANGES;
-        let is_coarse = report.level == 0 && !report.arcs.is_empty();
+        let is_coarse = report.level == 0 && report.margin >= self.margin;
+        let is_short = self.profile == Profile::Shortest && (is_winding || !is_coarse);
         let mut rivals = Vec::new();
-        if usual.with_prices_of(&self.with_profile()) != usual {
-            rivals.push(priced);
-        } else if self.profile == Profile::Shortest && (is_winding || !is_coarse) {
-            rivals.push(priced);
+        if is_short || usual.with_prices_of(&self.with_profile()) != usual {
+            rivals.push(self.with_prices_of(&usual));
         } else if self.profile == Profile::Practical && is_winding && is_coarse {
-            rivals.push(Self { profile: Profile::Comfort, ladder: false, ..*self });
+            let most = self.level(0).max_expansions.min(EFFORT.saturating_mul(report.stats.expanded));
+            let profile = Profile::Comfort;
+            rivals.push(Self { profile, ladder: false, max_expansions: Some(most), ..*self });
         }
         if self.margin < usual.margin {
             rivals.push(Self { margin: usual.margin, ..*self });
