@@ -198,8 +198,8 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
-    /// True if a path with one of the margins keeps less than the first and less than is comfortable. Who creeps does so
-    /// for fewer changes, not for a shorter way with as many.
+    /// True if a path with one of the margins keeps less than the first and less than is comfortable. A car creeps for
+    /// fewer changes, not for a shorter way with as many.
     fn creeps(&self, margin: usize) -> bool {
         margin > self.kept && self.floods.margin(margin) < COMFORTABLE_MARGIN
     }
