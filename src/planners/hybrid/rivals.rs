@@ -3,8 +3,7 @@
 //! Prices other than the usual ones lead the search elsewhere: it may spend its budget near obstacles that are dear, or
 //! end with a path that costs more, by these very prices, than the one of a planner that knows nothing of them. Less
 //! margin leads the lattices elsewhere, too. So the answer to such settings is held against that of the usual prices
-//! and that of the usual margin. The usual answer itself is held against another one only where it is a coarse path with
-//! many gear changes: what those cost is no part of a search, and prices that shun them may lead to a cheaper path.
+//! and that of the usual margin. The usual answer itself has no rival: it is what most people wait for.
 //!
 //! A rival has rivals of its own, so all settings choose among the same paths, and none loses to the others.
 
@@ -18,8 +17,6 @@ use crate::vehicle::collision::CollisionChecker;
 
 /// A path that costs no more than this many times the shortest curve without obstacles has no rivals.
 const SETTLED: f64 = 1.01;
-/// Expansions of the usual answer's rival, for each that the answer took.
-const EFFORT: u32 = 4;
 
 impl Config {
     /// The same with the prices of other settings, by which paths are compared.
@@ -48,10 +45,6 @@ impl Config {
         let mut rivals = Vec::new();
         if is_short || usual.with_prices_of(&self.with_profile()) != usual {
             rivals.push(self.with_prices_of(&usual));
-        } else if self.profile == Profile::Practical && is_winding && is_coarse {
-            let most = self.level(0).max_expansions.min(EFFORT.saturating_mul(report.stats.expanded));
-            let profile = Profile::Comfort;
-            rivals.push(Self { profile, ladder: false, max_expansions: Some(most), ..*self });
         }
         if self.margin < usual.margin {
             rivals.push(Self { margin: usual.margin, ..*self });

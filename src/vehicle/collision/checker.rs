@@ -12,7 +12,7 @@ use std::cell::Cell as Counter;
 
 use super::Corridor;
 use super::Obstacles;
-use super::obstacles::segment_distance;
+use super::edge::segment_distance;
 use crate::IS_COMPLETE;
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Point, Pose, math};

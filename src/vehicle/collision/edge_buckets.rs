@@ -3,7 +3,7 @@
 //! Each bucket keeps the boxes around its edges beside each other and in few digits. Most edges of the buckets around a
 //! body are far from it, and are passed over without a look at the edges themselves.
 
-use super::obstacles::{Edge, bounds, point_distance};
+use super::edge::{Edge, bounds, point_distance};
 use crate::geometry::{Point, Vector};
 
 /// Side of a bucket, metres.

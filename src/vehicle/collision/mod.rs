@@ -31,6 +31,7 @@
 mod along_arc;
 mod checker;
 mod corridor;
+mod edge;
 mod edge_buckets;
 mod obstacles;
 mod reach;
@@ -40,6 +41,6 @@ mod variant;
 
 pub use checker::CollisionChecker;
 pub use corridor::Corridor;
-pub use obstacles::Original;
-pub use obstacles::{Edge, Obstacles, Solid};
+pub use edge::Edge;
+pub use obstacles::{Obstacles, Original, Solid};
 pub use reach::{Reach, Sampling};

@@ -4,8 +4,9 @@
 //! against the edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in constant
 //! time. Coordinates are local: the origin is the boundary's lower left corner.
 
+use super::edge::{Edge, bounds, point_distance};
 use super::edge_buckets::EdgeBuckets;
-use crate::geometry::polygon::{contains, nearest_share};
+use crate::geometry::polygon::contains;
 use crate::geometry::{Point, Pose, Vector, math};
 use crate::map::{Frame, Layer, Occupancy, WeightMap, distance, raster};
 
@@ -13,17 +14,6 @@ use crate::map::{Frame, Layer, Occupancy, WeightMap, distance, raster};
 const FIELD_CELLS: f64 = 300_000.0;
 /// Side of a field cell on worlds that are small enough, metres.
 const FIELD_CELL: f64 = 0.25;
-
-/// A straight edge and what it belongs to.
-#[derive(Debug, Clone, Copy)]
-pub struct Edge {
-    /// One end, metres.
-    pub a: Point,
-    /// The other end, metres.
-    pub b: Point,
-    /// A number that the caller chose.
-    pub owner: u32,
-}
 
 /// A closed outline and what it belongs to.
 #[derive(Debug, Clone)]
@@ -226,25 +216,6 @@ fn field(edges: &[Edge], frame: &Frame) -> Layer<f32> {
         raster::wall(&mut map, frame, &[edge.a, edge.b]);
     }
     distance::clearance(&map, frame.resolution)
-}
-
-/// Distance from a point to a segment, metres.
-pub(super) fn point_distance(p: Point, a: Point, b: Point) -> f64 {
-    (p - (a + (b - a) * nearest_share(p, a, b))).norm()
-}
-
-/// Distance of two segments that do not cross.
-pub(super) fn segment_distance(a: Point, b: Point, c: Point, d: Point) -> f64 {
-    let one = point_distance(a, c, d).min(point_distance(b, c, d));
-    one.min(point_distance(c, a, b)).min(point_distance(d, a, b))
-}
-
-/// The lower left and the upper right corner of the box around some points.
-pub(super) fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
-    let inf = f64::INFINITY;
-    points.into_iter().fold((Point::new(inf, inf), Point::new(-inf, -inf)), |(low, high), p| {
-        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
-    })
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use super::Obstacles;
-use super::obstacles::{Edge, Original, bounds};
+use super::edge::{Edge, bounds};
+use super::obstacles::Original;
 
 impl Obstacles {
     /// The same obstacles, which are known from now on as a variant of others. Nothing changes where the two differ in

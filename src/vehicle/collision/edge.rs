@@ -1,0 +1,34 @@
+//! Straight edges, and distances to them.
+
+use crate::geometry::Point;
+use crate::geometry::polygon::nearest_share;
+
+/// A straight edge and what it belongs to.
+#[derive(Debug, Clone, Copy)]
+pub struct Edge {
+    /// One end, metres.
+    pub a: Point,
+    /// The other end, metres.
+    pub b: Point,
+    /// A number that the caller chose.
+    pub owner: u32,
+}
+
+/// Distance from a point to a segment, metres.
+pub(super) fn point_distance(p: Point, a: Point, b: Point) -> f64 {
+    (p - (a + (b - a) * nearest_share(p, a, b))).norm()
+}
+
+/// Distance of two segments that do not cross.
+pub(super) fn segment_distance(a: Point, b: Point, c: Point, d: Point) -> f64 {
+    let one = point_distance(a, c, d).min(point_distance(b, c, d));
+    one.min(point_distance(c, a, b)).min(point_distance(d, a, b))
+}
+
+/// The lower left and the upper right corner of the box around some points.
+pub(super) fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
+    let inf = f64::INFINITY;
+    points.into_iter().fold((Point::new(inf, inf), Point::new(-inf, -inf)), |(low, high), p| {
+        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+    })
+}
