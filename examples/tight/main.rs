@@ -13,9 +13,10 @@
 //! asks, for each scene without a path, whether a single lattice with a far larger budget finds one. `work`
 //! compares, in every fifth scene with a path, the planner's collision checks with those of the best single lattice.
 //! `verbose` prints a line a scene. `monotone` makes each kerb slot longer bit by bit and counts the lengths at which
-//! the car changes gear more than once more often than in a shorter one. `fewest` asks for the fewest gear changes, in kerb slots with at
-//! least 1.5 m to spare unless it is given a kind, and prints where a single search takes fewer. `json`, for
-//! `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell, and 100 scenes of each kind.
+//! the car changes gear more than once more often than in a shorter one. `fewest` asks for the fewest gear changes, in
+//! kerb slots with at least 1.5 m to spare unless it is given a kind, and prints where a single search takes fewer.
+//! `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell, and 100 scenes of
+//! each kind.
 
 mod answer;
 #[path = "../clock/mod.rs"]

@@ -5,8 +5,8 @@
 //!
 //! Everything else that lists planners reads these rows: [`planners`] for JavaScript, the page and the documentation,
 //! [`default_config`] for forms, the tests that run every planner on every scene. Two ids may share a search and
-//! differ in their defaults only, as `risk-field` and `risk-field-plus` do. Those that are made by `complete_row` are not in
-//! the small module, which is why its list is shorter and nothing else of it has to know.
+//! differ in their defaults only, as `risk-field` and `risk-field-plus` do. The small module leaves out the rows that
+//! `complete_row` makes; nothing else of it has to know.
 //!
 //! A row's order is that of menus; ids are part of share links and never change.
 

@@ -1,8 +1,8 @@
 //! Questions of a car that drives along an arc, asked of poses a little apart.
 //!
-//! Where the discs around the body have room, that room settles the poses ahead without a look. Where they have not, the
-//! exact test tells how far the nearest edge is at least; as far as no point of the body moves farther than that, the
-//! next poses are free without an exact test of their own. Checks are counted as if each had one.
+//! Where the discs around the body have room, that room settles the poses ahead without a look. Elsewhere the exact
+//! test tells how far the nearest edge is at least. As long as no point of the body moves farther than that, the next
+//! poses are free without an exact test of their own. Checks are counted as if each had one.
 
 use super::CollisionChecker;
 use super::checker::{CONTACT, Placement};

@@ -1,8 +1,8 @@
 //! Everything that blocks, sorted into buckets, and how far each place is from it.
 //!
 //! Edges of walls, solids and the boundary are sorted once into buckets ([`EdgeBuckets`]), so that a pose is held
-//! against the edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in constant
-//! time. Coordinates are local: the origin is the boundary's lower left corner.
+//! against the edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in
+//! constant time. Coordinates are local: the origin is the boundary's lower left corner.
 
 use super::edge::{Edge, bounds, point_distance};
 use super::edge_buckets::EdgeBuckets;
