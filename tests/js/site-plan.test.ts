@@ -21,37 +21,6 @@ const rolesOf = (plan: SitePlan): Record<string, Role> =>
 const converted = (plan: SitePlan, unit = suggestedUnit(plan)) =>
   sceneFromSitePlan(plan, { roles: rolesOf(plan), metresPerUnit: unit });
 
-it.each([
-  ["p-parking-large", "bay"],
-  ["PARKING STALLS", "bay"],
-  ["\uc8fc\ucc28\uad6c\ud68d", "bay"],
-  ["parking-lot", "none"],
-  ["amenity=parking", "ground"],
-  ["osm_parking_space", "bay"],
-  ["parking=street_side", "none"],
-  ["TREES", "column"],
-  ["e-background", "none"],
-  ["S-COLS", "column"],
-  ["A-COLS-1", "column"],
-  ["protocols", "none"],
-  ["C-PKNG-STRP", "bay"],
-  ["C-PKNG-CARS", "none"],
-  ["C-ROAD-CURB", "kerb"],
-  ["BORDER", "none"],
-  ["Bordsteine", "kerb"],
-  ["A-WALL-FULL", "wall"],
-  ["A-WALL-ANNO", "none"],
-  ["C-BLDG", "building"],
-  ["St\u00fctzen", "column"],
-  ["STUETZEN", "column"],
-  ["Murs", "wall"],
-  ["murmur", "none"],
-  ["plazas de aparcamiento", "bay"],
-  ["posti auto", "bay"],
-  ["Stationnement", "bay"],
-  ["site boundary", "ground"],
-])("a layer %s is taken for %s", (name, role) => expect(suggestedRole(name)).toBe(role));
-
 describe("a lot", () => {
   it.each(Object.entries(FILES))("in %s becomes a scene that plans", (name, text) => {
     const plan = readSitePlan(name, text),
