@@ -190,22 +190,9 @@ impl Scenario {
             obstacles: f.maybe("obstacles", list(obstacle))?.unwrap_or_default(),
             slots: f.maybe("slots", list(slot))?.unwrap_or_default(),
             costs: f.maybe("costs", list(cost_area))?.unwrap_or_default(),
-            // No planner of `core` sees these: it leaves them to the complete module.
-            moving: if IS_COMPLETE {
-                f.maybe("moving", super::moving::read_all)?.unwrap_or_default()
-            } else {
-                Vec::new()
-            },
-            lanes: if IS_COMPLETE {
-                f.maybe("lanes", super::road::read_lanes)?.unwrap_or_default()
-            } else {
-                Vec::new()
-            },
-            speed_limits: if IS_COMPLETE {
-                f.maybe("speedLimits", super::road::read_limits)?.unwrap_or_default()
-            } else {
-                Vec::new()
-            },
+            moving: traffic(f, "moving", super::moving::read_all)?,
+            lanes: traffic(f, "lanes", super::road::read_lanes)?,
+            speed_limits: traffic(f, "speedLimits", super::road::read_limits)?,
             vehicle: f.maybe("vehicle", vehicle)?.unwrap_or_default(),
             start: f.need("start", pose)?,
             goal: f.need("goal", goal)?,
@@ -219,6 +206,12 @@ impl<'de> Deserialize<'de> for Scenario {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> core::result::Result<Self, D::Error> {
         Self::from_json(&Value::deserialize(deserializer)?).map_err(D::Error::custom)
     }
+}
+
+/// A list of what moves on a road or is valid there. No planner of `core` sees these: it leaves them to the complete
+/// module.
+fn traffic<'a, T>(f: Fields<'a>, name: &str, read: fn(&'a Value) -> Result<Vec<T>>) -> Result<Vec<T>> {
+    if IS_COMPLETE { Ok(f.maybe(name, read)?.unwrap_or_default()) } else { Ok(Vec::new()) }
 }
 
 #[cfg(test)]

@@ -64,7 +64,7 @@ fn usual(config: Config, car: Vehicle) -> (Config, Vehicle) {
     (config, car)
 }
 
-/// Prices and profiles against the usual ones: hardly ever dearer.
+/// Prices and profiles against the usual ones: at most 1 % dearer.
 pub(crate) const PRICES: [Pair; 8] = [
     pair("obstacleCost 1 against none", |c, v| (Config { obstacle_cost: 1.0, ..c }, v), usual),
     pair("obstacleCost 5 against none", |c, v| (Config { obstacle_cost: 5.0, ..c }, v), usual),
@@ -76,13 +76,13 @@ pub(crate) const PRICES: [Pair; 8] = [
     pair("shortest against practical", |c, v| (Config { profile: Profile::Shortest, ..c }, v), usual),
 ];
 
-/// Less margin: hardly ever dearer.
+/// Less margin: at most 1 % dearer.
 pub(crate) const MARGINS: [Pair; 2] = [
     pair("margin 0 against 10 cm", |c, v| (Config { margin: 0.0, ..c }, v), usual),
     pair("margin 3 cm against 10 cm", |c, v| (Config { margin: 0.03, ..c }, v), usual),
 ];
 
-/// What hardly any answer to the asked settings is held against.
+/// What no answer to the asked settings is held against.
 pub(crate) const OTHERS: [Pair; 5] = [
     pair("margin 10 cm against 30 cm", usual, |c, v| (Config { margin: 0.3, ..c }, v)),
     pair("practical against shortest", usual, |c, v| (Config { profile: Profile::Shortest, ..c }, v)),

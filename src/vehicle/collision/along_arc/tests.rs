@@ -107,12 +107,8 @@ fn reach_by_poses(checker: &CollisionChecker, from: Pose, arc: &Arc, spacing: f6
         checks += 1;
         if checker.exact(place, 0.1 - CONTACT).is_some() {
             // The end itself is nearer than the pose that is not free.
-            let end = start.along(
-                arc.curvature,
-                arc.length,
-                math::sin_cos(from.heading + arc.curvature * arc.length).0,
-                math::sin_cos(from.heading + arc.curvature * arc.length).1,
-            );
+            let (sin, cos) = math::sin_cos(from.heading + arc.curvature * arc.length);
+            let end = start.along(arc.curvature, arc.length, sin, cos);
             let is_short = arc.length.abs() < next;
             return (is_short && checker.exact(end, 0.1 - CONTACT).is_none(), checks + u32::from(is_short));
         }
