@@ -91,7 +91,12 @@ fn the_profile_costs_no_path_and_never_more_than_it_saves() {
 fn the_papers_rows_are_the_same_in_both_profiles() {
     for id in ROWS {
         let lot = Lot::of(id);
-        assert_eq!(lot.plan(&Config::default()).arcs, lot.plan(&shortest()).arcs, "{id}");
+        let [usual, short] = [Config::default(), shortest()].map(|config| lot.plan(&config).arcs);
+        let is_same = |(a, b): (&Arc, &Arc)| a.curvature == b.curvature && (a.length - b.length).abs() < 1e-9;
+        assert!(
+            usual.len() == short.len() && usual.iter().zip(&short).all(is_same),
+            "{id}: {usual:?} {short:?}"
+        );
     }
 }
 

@@ -218,8 +218,7 @@ impl Run<'_, '_> {
             if self.changes <= FEW_CHANGES {
                 break;
             }
-            // A curve from every state: the last change is often the one that a curve saves.
-            let level = Level { weight: fine.0.weight, connect_every: 1, ..level };
+            let level = Level { weight: fine.0.weight, ..level.trying_all() };
             // From the start a search leads to one goal.
             if !is_swapped || self.search.goals.is_empty() {
                 self.attempt(&config, (level, number, CREEPING_EXPANSIONS), margin, is_swapped)?;
@@ -240,7 +239,7 @@ impl Run<'_, '_> {
         let level = Level {
             extra_change: price - config.with_profile().direction_change_cost,
             bound: price * f64::from(self.changes),
-            ..config.level(0)
+            ..config.level(0).trying_all()
         };
         self.attempt(&config, (level, 0, LAYER_EXPANSIONS), margin, is_swapped)?;
         if !is_swapped && self.changes > 0 {
@@ -252,16 +251,15 @@ impl Run<'_, '_> {
         Goes::Continue(())
     }
 
-    /// A path with fewer gear changes on a fine lattice, where a change costs 5 m more than usual. With little margin
-    /// every state is tried with a curve to the target: the last change is often the one that a curve saves.
+    /// A path with fewer gear changes on a fine lattice, where a change costs 5 m more than usual.
     fn fewer_by_price(&mut self, number: u32, margin: usize) -> Goes {
         let config = *self.search.config;
         if number >= config.levels() || self.changes < 2 {
             return Goes::Continue(());
         }
         let level = config.level(number);
-        let connect_every = if self.creeps(margin) { 1 } else { level.connect_every };
-        let level = Level { extra_change: EXTRA_CHANGE_COST, connect_every, ..level };
+        let level = if self.creeps(margin) { level.trying_all() } else { level };
+        let level = Level { extra_change: EXTRA_CHANGE_COST, ..level };
         self.attempt(&config, (level, number, PRICED_EXPANSIONS), margin, false)?;
         Goes::Continue(())
     }

@@ -237,12 +237,16 @@ pub(super) struct Level {
     pub(super) weight: f64,
     /// Extra weight of a metre in reverse away from both ends while searching.
     pub(super) far_reverse: f64,
+    /// The same along connections: at the coarsest level they are compared by what the path will be charged.
+    pub(super) tail_far_reverse: f64,
     /// Extra cost of a gear change while searching, metres.
     pub(super) extra_change: f64,
     /// States whose cost reaches this bound are left out.
     pub(super) bound: f64,
     /// Every so-many-th state is tried with a curve to the target: on a fine lattice neighbours see the same.
     pub(super) connect_every: u32,
+    /// One more of them is passed over for each so many metres to the target; none where this is infinite.
+    pub(super) connect_distance: f64,
     /// True if a car that can hardly move drives as far as it can each time, `step` at most.
     pub(super) shuffle: bool,
     /// Turn of a rock, radians; 0 where the car does not rock.
@@ -252,6 +256,12 @@ pub(super) struct Level {
 }
 
 impl Level {
+    /// The same where every state is tried with a curve to the target: the last gear change is often the one that a
+    /// curve saves.
+    pub(super) fn trying_all(self) -> Self {
+        Self { connect_every: 1, connect_distance: f64::INFINITY, ..self }
+    }
+
     /// The same where the car may rock. Gear changes cost little, or else everything would be tried before; and
     /// there are hardly any connections, as a way out of every slot is known and the way to the target is not.
     pub(super) fn rocking(self, config: &Config) -> Self {
@@ -303,6 +313,9 @@ const FINE_ROCKING: (f64, f64, f64, f64) = (0.06, 0.75, 0.1, 3.0);
 /// Every so-many-th state is tried with a curve to the target while the car may rock.
 const ROCKING_CONNECT_EVERY: u32 = 16;
 
+/// One more state is passed over for each so many metres to the target before the next is tried with a curve to it.
+const CONNECT_DISTANCE: f64 = 5.0;
+
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
 
 /// How many levels there are.
@@ -338,9 +351,11 @@ impl Config {
             max_expansions: self.max_expansions.unwrap_or(max_expansions),
             weight: self.heuristic_weight.unwrap_or(weight),
             far_reverse: 0.0,
+            tail_far_reverse: if number == 0 { self.profile.far_reverse() } else { 0.0 },
             extra_change: if number > 0 && !shuffle { 2.0 } else { 0.0 },
             bound: f64::INFINITY,
             connect_every,
+            connect_distance: if self.first_shot { f64::INFINITY } else { CONNECT_DISTANCE },
             shuffle,
             rock: 0.0,
             is_from_both: self.search_from == SearchFrom::Both,

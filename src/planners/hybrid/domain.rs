@@ -53,6 +53,10 @@ const CHECKS_PER_WORD: u32 = 1000;
 const FREE_CHECKS: u32 = 1_000_000;
 /// Moves while shuffling are at least this long, metres.
 const MIN_SHUFFLE_MOVE: f64 = 0.01;
+/// So many states are all tried with a connection: where the way is simple, one of them has it.
+const FIRST_TRIED: u32 = 32;
+/// States that are passed over between two that are tried, at most.
+const MOST_PASSED: f64 = 15.0;
 /// A key that no lattice cell has.
 const NO_CELL: u64 = u64::MAX;
 
@@ -74,6 +78,8 @@ pub(super) struct StateLattice<'a> {
     pub(super) flood: &'a ObstacleHeuristic,
     pub(super) keys: &'a RefCell<StateIndex>,
     pub(super) costs: CostModel,
+    /// Of the places along connections.
+    tail_costs: CostModel,
     pub(super) level: Level,
     pub(super) heuristic: Heuristic,
     pub(super) target: Pose,
@@ -139,6 +145,7 @@ impl<'a> StateLattice<'a> {
             flood: setting.flood,
             keys: setting.keys,
             costs: setting.costs,
+            tail_costs: setting.costs.with_far_reverse(level.far_reverse.max(level.tail_far_reverse)),
             level,
             heuristic: config.heuristic,
             target,
@@ -204,6 +211,17 @@ impl<'a> StateLattice<'a> {
             *reach = Reach::new(from, self.sampling);
         }
         reach
+    }
+
+    /// Every so-many-th state as far from the target as this one is tried with a curve to it. From afar nearly all
+    /// curves hit something, and neighbours see the same.
+    fn connect_every(&self, at: Pose) -> u32 {
+        let least = self.level.connect_every;
+        if self.asked <= FIRST_TRIED {
+            return least;
+        }
+        let passed = self.flood.distance(at) / self.level.connect_distance;
+        least.max(1 + passed.min(MOST_PASSED) as u32)
     }
 
     fn is_primitive_free(&self, from: Pose, arc: &Arc) -> bool {
@@ -336,7 +354,7 @@ impl Domain for StateLattice<'_> {
         }
         let State { pose, motion, .. } = at.label;
         self.asked += 1;
-        if !(self.asked - 1).is_multiple_of(self.level.connect_every) {
+        if !(self.asked - 1).is_multiple_of(self.connect_every(pose)) {
             if let Some(recorder) = self.recorder {
                 recorder.borrow_mut().skip();
             }
@@ -363,7 +381,7 @@ impl Domain for StateLattice<'_> {
                 missed.get_or_insert(word);
                 continue;
             }
-            let cost = cost + self.costs.word_places(self.checker, pose, &word);
+            let cost = cost + self.tail_costs.word_places(self.checker, pose, &word);
             if at.g + cost < bound && best.as_ref().is_none_or(|best| cost < best.cost) {
                 best = Some(Finish { cost, tail: word });
             }
