@@ -9,8 +9,8 @@
 //!
 //! * The *heuristic* is the larger of two: the Reeds–Shepp curve to the target, which knows the turning radius but
 //!   no obstacles, and the way of a disc around obstacles, which knows obstacles but no turning radius.
-//! * *Analytic expansion*: from many nodes a Reeds–Shepp curve to the target is tried. The first free one that no
-//!   open node can beat ends the search exactly at the target pose.
+//! * *Analytic expansion*: from many nodes, the fewer the farther away, a Reeds–Shepp curve to the target is tried.
+//!   The first free one that no open node can beat ends the search exactly at the target pose.
 //! * The tree grows *from the goal* by default (the parking paper's reverse search): the car model drives the same
 //!   way back, and leaving a slot needs far fewer expansions than finding it.
 //!
