@@ -59,8 +59,14 @@ const FEWER_CHANGES_MARGINS: [f64; 3] = [COMFORTABLE_MARGIN, 0.01, MIN_MARGIN];
 const EXTRA_CHANGE_COST: f64 = 5.0;
 /// … and expansions of each such search.
 const PRICED_EXPANSIONS: u32 = 20_000;
-/// A car that creeps into a slot keeps this much, metres: with it fine lattices are searched from both ends.
+/// A car that creeps into a slot keeps this much, metres: with it all lattices are searched from both ends.
 const CREEPING_MARGIN: f64 = 0.01;
+/// Extra cost of a gear change there, metres.
+const CREEPING_CHANGE_COST: f64 = 2.0;
+/// The shortcut may take so many gear changes more out of a path than must be saved.
+const BEFORE_SHORTCUT: u32 = 2;
+/// The level that is searched with and without room for the shortcut from the start, too.
+const SWAPPED_TWICE: u32 = 2;
 /// Expansions of each such search.
 const CREEPING_EXPANSIONS: u32 = 60_000;
 /// Expansions of each level's search for a shorter or a quicker path.
@@ -138,6 +144,20 @@ pub fn choices(
     report
 }
 
+/// The lattices of a car that creeps, and their levels' numbers: those of the plain levels and two between them.
+fn creeping_levels(config: &Config) -> impl Iterator<Item = (Level, u32)> + use<> {
+    let finest = FIRST_SHUFFLING_LEVEL - 1;
+    let [coarse, fine] = [0, finest].map(|number| config.level(number));
+    let between = Level { rock: 0.0, ..fine.fine_rocking(config) };
+    let others = [(between, finest), (fine.refined(1, config), finest)];
+    let plain: Vec<_> = (0..=finest).map(|number| (config.level(number), number)).collect();
+    plain.into_iter().chain(others).map(move |(level, number)| {
+        let weight = if number == 0 { coarse.weight } else { fine.weight };
+        let (extra_change, spacing) = (CREEPING_CHANGE_COST, coarse.spacing);
+        (Level { weight, extra_change, spacing, connect_every: 1, ..level }, number)
+    })
+}
+
 /// Whether the search goes on (true), and the arcs found.
 /// The caller ends the run by its answer to an offer, or by ending the progress.
 type Goes<T = ()> = ControlFlow<(), T>;
@@ -204,24 +224,27 @@ impl Run<'_, '_> {
         margin > self.kept && self.floods.margin(margin) < COMFORTABLE_MARGIN
     }
 
-    /// A path with few gear changes where there is none yet, on the lattices that find one in a slot with hardly any
-    /// margin: each finds it in some slots and misses it in others. From the start they find other ways than from
-    /// the slot.
+    /// A path with fewer gear changes on each lattice, with hardly any margin: each finds it in some slots and misses
+    /// it in others. What takes too many is left out, so that a search soon ends where there is nothing to gain; and a
+    /// second search leaves room for what the shortcut saves. From the start they find other ways than from the slot,
+    /// and take long.
     fn creep(&mut self, margin: usize) -> Goes {
         let config = *self.search.config;
         if config.levels() < FIRST_SHUFFLING_LEVEL {
             return Goes::Continue(());
         }
-        let [coarse, fine] = [2, FIRST_SHUFFLING_LEVEL - 1].map(|number| (config.level(number), number));
-        let finer = (fine.0.refined(1, &config), fine.1);
-        for ((level, number), is_swapped) in [(finer, false), (coarse, true), (coarse, false), (fine, true)] {
-            if self.changes <= FEW_CHANGES {
-                break;
-            }
-            let level = Level { weight: fine.0.weight, ..level.trying_all() };
-            // From the start a search leads to one goal.
-            if !is_swapped || self.search.goals.is_empty() {
-                self.attempt(&config, (level, number, CREEPING_EXPANSIONS), margin, is_swapped)?;
+        // From the start a search leads to one goal.
+        let ends = if self.search.goals.is_empty() { &[false, true][..] } else { &[false] };
+        for &is_swapped in ends {
+            for (level, number) in creeping_levels(&config) {
+                let is_once = is_swapped && number != SWAPPED_TWICE;
+                for more in [0, BEFORE_SHORTCUT].into_iter().take(if is_once { 1 } else { 2 }) {
+                    if self.changes < 2 || (is_swapped && self.changes <= FEW_CHANGES) {
+                        return Goes::Continue(());
+                    }
+                    let level = level.with_changes(self.changes - 1 + more);
+                    self.attempt(&config, (level, number, CREEPING_EXPANSIONS), margin, is_swapped)?;
+                }
             }
         }
         Goes::Continue(())

@@ -243,6 +243,8 @@ pub(super) struct Level {
     pub(super) extra_change: f64,
     /// States whose cost reaches this bound are left out.
     pub(super) bound: f64,
+    /// States that took more gear changes than this are left out.
+    pub(super) most_changes: u8,
     /// Every so-many-th state is tried with a curve to the target: on a fine lattice neighbours see the same.
     pub(super) connect_every: u32,
     /// One more of them is passed over for each so many metres to the target; none where this is infinite.
@@ -267,6 +269,11 @@ impl Level {
     pub(super) fn rocking(self, config: &Config) -> Self {
         let level = self.with_change(CHEAP_CHANGE_COST, config);
         Self { connect_every: ROCKING_CONNECT_EVERY, rock: ROCK_BINS * self.yaw, ..level }
+    }
+
+    /// The same where a path takes at most so many gear changes.
+    pub(super) fn with_changes(self, most: u32) -> Self {
+        Self { most_changes: most.min(u32::from(u8::MAX)) as u8, ..self }
     }
 
     /// The same where a gear change costs this at most, metres.
@@ -354,6 +361,7 @@ impl Config {
             tail_far_reverse: if number == 0 { self.profile.far_reverse() } else { 0.0 },
             extra_change: if number > 0 && !shuffle { 2.0 } else { 0.0 },
             bound: f64::INFINITY,
+            most_changes: u8::MAX,
             connect_every,
             connect_distance: if self.first_shot { f64::INFINITY } else { CONNECT_DISTANCE },
             shuffle,

@@ -63,13 +63,23 @@ pub(super) struct Motion {
     pub(super) gear: i8,
     /// True if the arc ends a rock: the same arc, twice as far back on the other lock, and the arc again.
     pub(super) is_rock: bool,
+    /// Gear changes since the root, as far as they are counted.
+    pub(super) changes: u8,
     pub(super) curvature: f64,
 }
 
 impl Motion {
     /// How the car moves at the end of an arc.
     pub(super) fn after(arc: &Arc) -> Self {
-        Self { gear: if arc.length < 0.0 { -1 } else { 1 }, is_rock: false, curvature: arc.curvature }
+        let gear = if arc.length < 0.0 { -1 } else { 1 };
+        Self { gear, is_rock: false, changes: 0, curvature: arc.curvature }
+    }
+
+    /// The same as after `arc`, with the gear changes counted.
+    pub(super) fn then(self, arc: &Arc) -> Self {
+        let next = Self::after(arc);
+        let changed = u8::from(self.gear * next.gear < 0);
+        Self { changes: self.changes.saturating_add(changed), ..next }
     }
 }
 

@@ -258,7 +258,10 @@ impl<'a> StateLattice<'a> {
                 if from.g + cost >= self.level.bound {
                     continue;
                 }
-                let (end, motion) = (pose.advance_turned(turned, arc.curvature, length), Motion::after(&arc));
+                let (end, motion) = (pose.advance_turned(turned, arc.curvature, length), motion.then(&arc));
+                if motion.changes > self.level.most_changes {
+                    continue;
+                }
                 let to = State { pose: end, motion, length };
                 let key = self.key(end, motion.gear);
                 moves.push(Move { key, node: 0, cost, arc, to });
@@ -268,6 +271,13 @@ impl<'a> StateLattice<'a> {
         for one in moves {
             one.node = keys.id(one.key);
         }
+    }
+
+    /// True if a path by this word changes gear no more often than the level allows.
+    fn has_changes_left(&self, motion: Motion, word: &Word) -> bool {
+        let most = self.level.most_changes;
+        most == u8::MAX
+            || word.arcs(self.costs.radius).fold(motion, |motion, arc| motion.then(&arc)).changes <= most
     }
 
     /// True if a word can be driven; not, too, where words have taken too much work.
@@ -364,7 +374,7 @@ impl Domain for StateLattice<'_> {
         let mut found = core::mem::take(&mut self.words);
         found.clear();
         reeds_shepp::words_below(pose, self.target, self.costs.radius, bound - at.g, |word| {
-            if word.direction_changes() > self.max_changes {
+            if word.direction_changes() > self.max_changes || !self.has_changes_left(motion, &word) {
                 return;
             }
             let cost = self.costs.word(motion, &word);

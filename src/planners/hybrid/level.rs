@@ -125,7 +125,8 @@ impl Search<'_> {
     /// Searches once more where the path changes gear often: for one that is cheaper with the price of that.
     fn fewer_changes(&self, level: Level, work: &mut Work) {
         let price = self.config.profile.many_changes();
-        if price == 0.0 || arcs::direction_changes(&work.report.arcs) <= FEW_CHANGES {
+        let changes = arcs::direction_changes(&work.report.arcs);
+        if price == 0.0 || changes <= FEW_CHANGES {
             return;
         }
         let most = FEWER_CHANGES_EXPANSIONS.min(FEWER_CHANGES_EFFORT * work.report.stats.expanded);
@@ -133,7 +134,7 @@ impl Search<'_> {
             weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
             extra_change: price,
             max_expansions: level.max_expansions.min(most),
-            ..level
+            ..level.with_changes(changes)
         };
         let bound = self.costs().searching(&level).path(self.checker, self.start, &work.report.arcs);
         self.retry(Level { bound, ..level }, Some(work.report.status), work);

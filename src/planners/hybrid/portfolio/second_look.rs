@@ -18,6 +18,8 @@ use crate::planners::hybrid::profile::{FEW_CHANGES, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
 
+/// Extra cost of a gear change, metres: a little more than the path is charged, as fewer are wanted.
+const EXTRA_CHANGE_COST: f64 = MANY_CHANGES_COST + 1.0;
 /// Weight of the estimate.
 const WEIGHT: f64 = 2.0;
 /// Expansions of the fine search: as many as the path took, but so many at least and at most …
@@ -25,14 +27,16 @@ const EXPANSIONS: [u32; 2] = [FIRST_SLICE, 50_000];
 /// … and at most the second number where the path has no more gear changes than the first: with so few, a better path
 /// is found soon or not at all.
 const SOON: (u32, u32) = (8, 10_000);
+/// Expansions of the coarsest lattice with the same margin.
+const COARSE_EXPANSIONS: u32 = 5000;
 /// The level that is refined for it, and which of the refined lattices it takes: the one with the smallest cells.
 const LEVEL: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
 /// The searches with the margin that is comfortable: the level, how much finer its lattice is (0: not at all), and
 /// the expansions.
 const COMFORTABLE: [(u32, usize, u32); 6] =
-    [(0, 0, 5000), (1, 0, 20_000), (2, 0, 20_000), (3, 0, 20_000), (4, 0, 5000), (4, 1, 5000)];
+    [(0, 0, 5000), (1, 0, 10_000), (2, 0, 10_000), (3, 0, 10_000), (4, 1, 13_000), (4, 0, 5000)];
 /// Less margin must save one of so many gear changes, …
-const SAVED_SHARE: u32 = 3;
+const SAVED_SHARE: u32 = 4;
 /// … and so many where there are few: 7 cm of margin are worth two changes, not three.
 const SAVED_OF_FEW: u32 = 3;
 /// On a coarse lattice a path may cost so many times what is left of it after the shortcut.
@@ -53,7 +57,10 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     let level = config.level(number).refined(refinement, config);
     let most = work.report.stats.expanded.clamp(least, most);
     let Some(margin) = floods.margins.iter().position(|&margin| margin == work.report.margin) else { return };
-    attempt((search, floods), (level, number, most), margin, 1, work);
+    attempt((search, floods), (config.level(0), 0, COARSE_EXPANSIONS), margin, 1, work);
+    if changes(work.report) > FEW_CHANGES {
+        attempt((search, floods), (level, number, most), margin, 1, work);
+    }
     let comfortable = floods.margins.iter().position(|&margin| margin == COMFORTABLE_MARGIN);
     let Some(comfortable) = comfortable.filter(|&comfortable| comfortable >= margin) else { return };
     for (number, refinement, most) in COMFORTABLE {
@@ -75,7 +82,7 @@ fn changes_to_save(report: &Report) -> u32 {
     match changes(report) {
         _ if report.margin <= COMFORTABLE_MARGIN => 1,
         few if few <= MANY_CHANGES => SAVED_OF_FEW,
-        many => many.div_ceil(SAVED_SHARE),
+        many => many / SAVED_SHARE,
     }
 }
 
@@ -97,9 +104,17 @@ fn attempt(
     let level = Level {
         max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
-        extra_change: MANY_CHANGES_COST,
+        extra_change: EXTRA_CHANGE_COST,
         ..level
     };
+    let before = changes(&known);
+    // The shortcut may save some, the more so the coarser the steps and the longer the path.
+    let more = if number == 0 {
+        saved
+    } else {
+        u32::from(level.xy > COARSE) + before.saturating_sub(MANY_CHANGES) / 8
+    };
+    let level = level.with_changes((before + more).saturating_sub(saved));
     let slack = if level.xy > COARSE { BEFORE_SHORTCUT } else { 1.0 };
     let bound = slack * search.costs().searching(&level).path(search.checker, search.start, &known.arcs);
     let is_better = search.level(Level { bound, ..level }, work)
