@@ -19,7 +19,7 @@ fn tight_slots_are_entered() {
     // Metres, gear changes and level with the usual margin; metres and gear changes without one.
     let rows = [
         ("par-8.0", (24.6, 4, 1), (23.5, 2)),
-        ("par-7.2", (26.7, 8, 3), (24.4, 4)),
+        ("par-7.2", (26.7, 6, 2), (24.4, 4)),
         ("perp-tail-3.6", (25.5, 1, 0), (25.4, 1)),
         ("perp-tail-3.2", (25.8, 1, 0), (25.6, 1)),
         ("perp-tail-3.0", (26.2, 1, 0), (25.2, 1)),
@@ -33,7 +33,8 @@ fn tight_slots_are_entered() {
         let (got, got_changes, report) = lot.solve(name, &Config::default());
         println!("{name}: {got:.2} m, {got_changes} changes, {} expansions", report.stats.expanded);
         assert!(got <= length * 1.05 && got_changes <= changes, "{name}: {got} m, {got_changes} changes");
-        assert_eq!((report.level, report.margin), (level, 0.1), "{name}");
+        let margin = if changes > 4 { 0.03 } else { 0.1 };
+        assert_eq!((report.level, report.margin), (level, margin), "{name}");
         let (got, got_changes, _) = lot.solve(name, &close);
         assert!(got <= length_close * 1.05 && got_changes <= changes_close, "{name}, no margin: {got} m");
     }

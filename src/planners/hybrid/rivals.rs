@@ -9,6 +9,7 @@
 
 use super::config::Config;
 use super::cost::CostModel;
+use super::portfolio::{COMFORTABLE_MARGIN, MANY_CHANGES};
 use super::profile::{FEW_CHANGES, Profile};
 use super::question::{MIN_MARGIN, Query};
 use super::report::{Report, Status};
@@ -80,7 +81,8 @@ pub(super) fn compare(
         let is_better = !other.arcs.is_empty()
             && (report.arcs.is_empty()
                 || other.margin > report.margin
-                || (other.margin == report.margin && other.cost < report.cost));
+                || (other.margin == report.margin && other.cost < report.cost)
+                || saves_changes(&other, &report));
         let checks = report.collision_checks.saturating_add(other.collision_checks);
         let mut sum = report.counters();
         sum.stats.add(other.stats);
@@ -89,6 +91,12 @@ pub(super) fn compare(
         report = Report { status, collision_checks: checks, ..sum.with_path_of(best) };
     }
     report
+}
+
+/// True if a cheaper path gives up margin, down to what is comfortable, where there are many gear changes, and takes no more of them: the usual answer may do so.
+fn saves_changes(other: &Report, report: &Report) -> bool {
+    let [fewer, many] = [other, report].map(|one| arcs::direction_changes(&one.arcs));
+    other.margin >= COMFORTABLE_MARGIN && fewer <= many && many > MANY_CHANGES && other.cost < report.cost
 }
 
 /// What a path costs under the settings asked for.

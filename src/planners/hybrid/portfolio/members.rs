@@ -13,7 +13,7 @@ pub(in crate::planners::hybrid) const COMFORTABLE_MARGIN: f64 = 0.03;
 /// Expansions of the first slice.
 pub(super) const FIRST_SLICE: u32 = 8192;
 /// With more gear changes than this, finer steps may find a path with fewer.
-pub(super) const MANY_CHANGES: u32 = 4;
+pub(in crate::planners::hybrid) const MANY_CHANGES: u32 = 4;
 
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const LAST_CHEAP_LEVEL: u32 = 3;

@@ -22,7 +22,7 @@ mod second_look;
 mod turns;
 
 pub(super) use floods::Floods;
-pub(super) use members::COMFORTABLE_MARGIN;
+pub(super) use members::{COMFORTABLE_MARGIN, MANY_CHANGES};
 
 use super::config::SearchFrom;
 use super::level::First;

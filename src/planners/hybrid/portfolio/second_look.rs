@@ -18,8 +18,8 @@ use crate::planners::hybrid::profile::{FEW_CHANGES, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
 
-/// Extra cost of a gear change, metres: a little more than the path is charged, as fewer are wanted.
-const EXTRA_CHANGE_COST: f64 = MANY_CHANGES_COST + 1.0;
+/// Extra cost of a gear change on the finest levels, metres: with what a path is charged they spend their budget before.
+const FINE_CHANGE_COST: f64 = MANY_CHANGES_COST + 1.0;
 /// Weight of the estimate.
 const WEIGHT: f64 = 2.0;
 /// Expansions of the fine search: as many as the path took, but so many at least and at most …
@@ -101,10 +101,11 @@ fn attempt(
     let counters = work.report.counters();
     let known = core::mem::replace(work.report, counters);
     (work.report.margin, work.report.level) = (floods.margin(margin), number);
+    let is_fine = number == LEVEL.0 && floods.margin(margin) == COMFORTABLE_MARGIN;
     let level = Level {
         max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
-        extra_change: EXTRA_CHANGE_COST,
+        extra_change: if is_fine { FINE_CHANGE_COST } else { MANY_CHANGES_COST },
         ..level
     };
     let before = changes(&known);
