@@ -93,7 +93,8 @@ pub(super) fn compare(
     report
 }
 
-/// True if a cheaper path gives up margin, down to what is comfortable, where there are many gear changes, and takes no more of them: the usual answer may do so.
+/// True if a cheaper path gives up margin, down to what is comfortable, where there are many gear changes, and takes
+/// no more of them: the usual answer may do so.
 fn saves_changes(other: &Report, report: &Report) -> bool {
     let [fewer, many] = [other, report].map(|one| arcs::direction_changes(&one.arcs));
     other.margin >= COMFORTABLE_MARGIN && fewer <= many && many > MANY_CHANGES && other.cost < report.cost

@@ -18,7 +18,8 @@ use crate::planners::hybrid::profile::{FEW_CHANGES, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
 
-/// Extra cost of a gear change on the finest levels, metres: with what a path is charged they spend their budget before.
+/// Extra cost of a gear change on the finest levels, metres: with what a path is charged they spend their budget
+/// before.
 const FINE_CHANGE_COST: f64 = MANY_CHANGES_COST + 1.0;
 /// Weight of the estimate.
 const WEIGHT: f64 = 2.0;
