@@ -153,8 +153,8 @@ fn creeping_levels(config: &Config) -> impl Iterator<Item = (Level, u32)> + use<
     let plain: Vec<_> = (0..=finest).map(|number| (config.level(number), number)).collect();
     plain.into_iter().chain(others).map(move |(level, number)| {
         let weight = if number == 0 { coarse.weight } else { fine.weight };
-        let (extra_change, spacing) = (CREEPING_CHANGE_COST, coarse.spacing);
-        (Level { weight, extra_change, spacing, connect_every: 1, ..level }, number)
+        let spacing = coarse.spacing;
+        (Level { weight, extra_change: CREEPING_CHANGE_COST, spacing, connect_every: 1, ..level }, number)
     })
 }
 
@@ -225,9 +225,8 @@ impl Run<'_, '_> {
     }
 
     /// A path with fewer gear changes on each lattice, with hardly any margin: each finds it in some slots and misses
-    /// it in others. What takes too many is left out, so that a search soon ends where there is nothing to gain; and a
-    /// second search leaves room for what the shortcut saves. From the start they find other ways than from the slot,
-    /// and take long.
+    /// it in others. What takes too many is left out, so that a search soon ends where there is nothing to gain; a second
+    /// one leaves room for what the shortcut saves. From the start they find other ways than from the slot, and take long.
     fn creep(&mut self, margin: usize) -> Goes {
         let config = *self.search.config;
         if config.levels() < FIRST_SHUFFLING_LEVEL {

@@ -24,13 +24,14 @@
 //! Poses are local to the obstacles. A tree that grows from the goal is *mirrored*: it drives the path backwards,
 //! so every gear is the other one.
 
+mod connections;
 mod rock;
 
 use core::cell::{Cell, RefCell, RefMut};
 
 use super::analytic_expansion::{Recorder, take_cheapest};
 use super::config::{Config, Heuristic, Level};
-use super::cost::{CostModel, Motion};
+use super::cost::CostModel;
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::pose_heuristic::PoseHeuristic;
 use super::state::State;
@@ -47,16 +48,8 @@ use crate::vehicle::collision::{CollisionChecker, Reach, Sampling};
 const SHUFFLE_CLEARANCE: f64 = 0.1;
 /// … states are told apart no finer than this: metres and radians.
 const SHUFFLE_BINS: (f64, f64) = (0.5, math::PI / 36.0);
-/// Collision checks that a word may take on average …
-const CHECKS_PER_WORD: u32 = 1000;
-/// … once so many have been spent: past this, words that need more are skipped.
-const FREE_CHECKS: u32 = 1_000_000;
 /// Moves while shuffling are at least this long, metres.
 const MIN_SHUFFLE_MOVE: f64 = 0.01;
-/// So many states are all tried with a connection: where the way is simple, one of them has it.
-const FIRST_TRIED: u32 = 32;
-/// States that are passed over between two that are tried, at most.
-const MOST_PASSED: f64 = 15.0;
 /// A key that no lattice cell has.
 const NO_CELL: u64 = u64::MAX;
 
@@ -213,17 +206,6 @@ impl<'a> StateLattice<'a> {
         reach
     }
 
-    /// Every so-many-th state as far from the target as this one is tried with a curve to it. From afar nearly all
-    /// curves hit something, and neighbours see the same.
-    fn connect_every(&self, at: Pose) -> u32 {
-        let least = self.level.connect_every;
-        if self.asked <= FIRST_TRIED {
-            return least;
-        }
-        let passed = self.flood.distance(at) / self.level.connect_distance;
-        least.max(1 + passed.min(MOST_PASSED) as u32)
-    }
-
     fn is_primitive_free(&self, from: Pose, arc: &Arc) -> bool {
         let is_tightest = arc.curvature == 0.0 || self.level.steer_samples == 1;
         if is_tightest {
@@ -271,32 +253,6 @@ impl<'a> StateLattice<'a> {
         for one in moves {
             one.node = keys.id(one.key);
         }
-    }
-
-    /// True if a path by this word changes gear no more often than the level allows.
-    fn has_changes_left(&self, motion: Motion, word: &Word) -> bool {
-        let most = self.level.most_changes;
-        most == u8::MAX
-            || word.arcs(self.costs.radius).fold(motion, |motion, arc| motion.then(&arc)).changes <= most
-    }
-
-    /// True if a word can be driven; not, too, where words have taken too much work.
-    pub(super) fn word_free(&self, from: Pose, word: &Word) -> bool {
-        let (words, checks) = self.tried.get();
-        if checks > FREE_CHECKS.saturating_add(words.saturating_mul(CHECKS_PER_WORD)) {
-            self.tried.set((words + 1, checks));
-            return false;
-        }
-        let before = self.checker.checks();
-        let [ahead, back] = &self.reach;
-        let free = self.ahead(ahead, from).is_word_free(
-            &mut back.borrow_mut(),
-            self.checker,
-            word,
-            self.costs.radius,
-        );
-        self.tried.set((words + 1, checks.saturating_add(self.checker.checks() - before)));
-        free
     }
 }
 

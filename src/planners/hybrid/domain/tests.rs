@@ -5,6 +5,7 @@ use core::cell::RefCell;
 use super::*;
 use crate::geometry::Point;
 use crate::geometry::arcs;
+use crate::planners::hybrid::cost::Motion;
 use crate::planners::hybrid::state::tree_arcs;
 use crate::vehicle::collision::{Edge, Obstacles, Solid};
 

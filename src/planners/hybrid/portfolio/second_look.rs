@@ -83,7 +83,7 @@ fn changes_to_save(report: &Report) -> u32 {
     match changes(report) {
         _ if report.margin <= COMFORTABLE_MARGIN => 1,
         few if few <= MANY_CHANGES => SAVED_OF_FEW,
-        many => many / SAVED_SHARE,
+        many => many.div_ceil(SAVED_SHARE),
     }
 }
 
