@@ -1,9 +1,10 @@
 //! A second look where a path changes gear often: more searches in which a change is dear.
 //!
 //! Whoever answers first may rock where another drives on: in a tight slot coarse lattices soon end, and the first that
-//! gets out takes two changes where a finer one takes one. So the path is held against one search of a very fine
-//! lattice with the same margin and from the same end. A gear change costs several metres in it, and what cannot be
-//! cheaper by that price than the known path is left out, so that the search soon ends where there is nothing to gain.
+//! gets out takes two changes where a finer one takes one. So the path is held against the coarsest lattice and a very
+//! fine one with the same margin and from the same end. A gear change costs several metres in them. What cannot be
+//! cheaper by that price than the known path is left out, and so is what takes as many changes, but for those that the
+//! shortcut may save: a search soon ends where there is nothing to gain.
 //!
 //! Margin costs gear changes, too: with 10 cm a car may rock ten times where 3 cm let it in with four. So a path with
 //! many changes gives up margin, down to what is comfortable, where that saves several of them; one with few does where
