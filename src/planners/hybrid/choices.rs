@@ -224,9 +224,9 @@ impl Run<'_, '_> {
         margin > self.kept && self.floods.margin(margin) < COMFORTABLE_MARGIN
     }
 
-    /// A path with fewer gear changes on each lattice, with hardly any margin: each finds it in some slots and misses
-    /// it in others. What takes too many is left out, so that a search soon ends where there is nothing to gain; a second
-    /// one leaves room for what the shortcut saves. From the start they find other ways than from the slot, and take long.
+    /// A path with fewer gear changes, with hardly any margin: each lattice finds it in some slots. What takes too many
+    /// is left out, so that a search soon ends where there is nothing to gain; a second one leaves room for what the
+    /// shortcut saves. From the start they find other ways than from the slot, and take long.
     fn creep(&mut self, margin: usize) -> Goes {
         let config = *self.search.config;
         if config.levels() < FIRST_SHUFFLING_LEVEL {

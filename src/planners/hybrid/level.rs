@@ -6,7 +6,7 @@
 //!    cheaper;
 //! 2. turn the path round if the tree grew from the goal;
 //! 3. straighten it with the shortcut, by the same costs, margin and spacing of checks;
-//! 4. check the whole path every centimetre without a margin.
+//! 4. check the whole path every centimetre, with the least margin or, where no more is asked for, with none.
 //!
 //! Collision checks are samples along arcs. A spacing of a few centimetres is fast and misses a corner now and then;
 //! step 4 finds that, and the level is searched again with half the spacing, twice at most. A path that is returned
@@ -23,7 +23,7 @@ use super::analytic_expansion::Recorder;
 use super::config::Level;
 use super::domain::{Setting, StateLattice};
 use super::profile::FEW_CHANGES;
-use super::question::{Search, Work};
+use super::question::{MIN_MARGIN, Search, Work};
 use super::recording::PoseRecording;
 use super::report::Status;
 use super::shortcut;
@@ -162,7 +162,7 @@ impl Search<'_> {
             let Some((arcs, status)) = self.search(level, work) else { return false };
             let this = self.arrived(&arcs);
             let arcs = this.improve(arcs, level, work.report.margin);
-            if this.verified(&arcs) {
+            if this.verified(&arcs, work.report.margin) {
                 let costs = this.costs();
                 work.report.cost = costs.path(self.checker, self.start, &arcs);
                 work.report.arcs = arcs;
@@ -253,11 +253,13 @@ impl Search<'_> {
         shortcut::shortcut(rules, self.start, arcs)
     }
 
-    /// True if the path is free at the finest spacing and ends at the goal.
-    fn verified(&self, arcs: &[Arc]) -> bool {
+    /// True if the path is free at the finest spacing and ends at the goal. Where it is to keep more than what passes
+    /// unseen between two checks, that much must be free: the validator looks between them.
+    fn verified(&self, arcs: &[Arc], margin: f64) -> bool {
+        let margin = if margin > MIN_MARGIN { MIN_MARGIN } else { 0.0 };
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {
-            let free = self.checker.arc_free(pose, arc, VERIFY_SPACING, 0.0);
+            let free = self.checker.arc_free(pose, arc, VERIFY_SPACING, margin);
             pose = pose.advance(arc.curvature, arc.length);
             free
         });
