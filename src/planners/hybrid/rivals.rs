@@ -82,7 +82,7 @@ pub(super) fn compare(
             && (report.arcs.is_empty()
                 || other.margin > report.margin
                 || (other.margin == report.margin && other.cost < report.cost)
-                || saves_changes(&other, &report));
+                || gives_up_margin(&other, &report));
         let checks = report.collision_checks.saturating_add(other.collision_checks);
         let mut sum = report.counters();
         sum.stats.add(other.stats);
@@ -95,7 +95,7 @@ pub(super) fn compare(
 
 /// True if a cheaper path gives up margin, down to what is comfortable, where there are many gear changes, and takes
 /// no more of them: the usual answer may do so.
-fn saves_changes(other: &Report, report: &Report) -> bool {
+fn gives_up_margin(other: &Report, report: &Report) -> bool {
     let [fewer, many] = [other, report].map(|one| arcs::direction_changes(&one.arcs));
     other.margin >= COMFORTABLE_MARGIN && fewer <= many && many > MANY_CHANGES && other.cost < report.cost
 }

@@ -41,6 +41,8 @@ const COMFORTABLE: [(u32, usize, u32); 6] =
 const SAVED_SHARE: u32 = 4;
 /// … and so many where there are few: 7 cm of margin are worth two changes, not three.
 const SAVED_OF_FEW: u32 = 3;
+/// The shortcut may save one of so many gear changes where there are many.
+const SHORTCUT_SHARE: u32 = 8;
 /// On a coarse lattice a path may cost so many times what is left of it after the shortcut.
 const BEFORE_SHORTCUT: f64 = 1.6;
 /// Lattices with larger cells are coarse, metres.
@@ -115,7 +117,7 @@ fn attempt(
     let more = if number == 0 {
         saved
     } else {
-        u32::from(level.xy > COARSE) + before.saturating_sub(MANY_CHANGES) / 8
+        u32::from(level.xy > COARSE) + before.saturating_sub(MANY_CHANGES) / SHORTCUT_SHARE
     };
     let level = level.with_changes((before + more).saturating_sub(saved));
     let slack = if level.xy > COARSE { BEFORE_SHORTCUT } else { 1.0 };
