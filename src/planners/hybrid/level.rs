@@ -105,21 +105,26 @@ impl Search<'_> {
 
     /// Searches once more where the path found reverses far: for one that hardly does. Such a path turns round on the
     /// way. An estimate that does not tell what turning costs would spend the budget around the root.
+    ///
+    /// A path that turns round takes gear changes for that, so it is not asked to save them: what saves them reverses.
     #[inline(never)]
     fn reconsider(&self, level: Level, work: &mut Work) {
         let this = self.arrived(&work.report.arcs);
         let without = this.costs().with_far_reverse(0.0);
         let price = work.report.cost - without.path(self.checker, self.start, &work.report.arcs);
+        let mut level = level;
         if price > FAR_REVERSE_PRICE {
-            let level = Level {
-                weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
-                far_reverse: FAR_REVERSE_WEIGHT,
-                max_expansions: level.max_expansions.min((price * FAR_REVERSE_EFFORT) as u32),
-                ..level
-            };
-            this.retry(level, Some(work.report.status), work);
+            level.far_reverse = FAR_REVERSE_WEIGHT;
+            let most = level.max_expansions.min((price * FAR_REVERSE_EFFORT) as u32);
+            let weight = self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT);
+            let before = work.report.cost;
+            let turning = Level { weight, max_expansions: most, ..level };
+            this.retry(turning, Some(work.report.status), work);
+            if work.report.cost < before {
+                return;
+            }
         }
-        self.arrived(&work.report.arcs).fewer_changes(level, work);
+        this.fewer_changes(level, work);
     }
 
     /// Searches once more where the path changes gear often: for one that is cheaper with the price of that.
