@@ -5,6 +5,8 @@
 //! the same cost model and adds no gear change. Each replacement lowers the cost, so passes end; n knots give O(n²)
 //! pairs, which is why pairs and collision checks have limits.
 //!
+//! Rounds go on until nothing is replaced any more. A pair of knots that a round has tried in vain is not tried again.
+//!
 //! The result is deterministic: limits count work, not time.
 //!
 //! The lattice prefers paths that follow its own arcs; the shortcut knows only the car. For knots i < j with the
@@ -26,6 +28,8 @@ const MIN_GAIN: f64 = 1e-3;
 /// Collision checks after which shortcutting ends: work, not time, so that the result is the same everywhere.
 const MAX_CHECKS: u32 = 400_000;
 const MAX_PASSES: u32 = 6;
+/// Knots nearer to each other than this are the same, square metres.
+const SAME_PLACE: f64 = 1e-14;
 /// Pairs of knots that a round looks at, at most: on a long way hardly any curve is free over more than a short
 /// stretch.
 const MAX_PAIRS: usize = 6000;
@@ -47,9 +51,11 @@ pub(super) struct Rules<'a> {
 /// what is not replaced is not checked again.
 pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
     let limit = rules.checker.checks().saturating_add(MAX_CHECKS);
+    let mut settled = Vec::new();
     for knot in KNOT_SPACINGS {
         for _ in 0..MAX_PASSES {
-            let mut pass = Pass::new(rules, start, split(&path, knot));
+            let mut pass = Pass::new(rules, start, split(&path, knot), settled);
+            settled = pass.poses.clone();
             let improved = pass.run(limit);
             path = arcs::merge(pass.knots);
             if !improved || rules.checker.checks() >= limit {
@@ -84,6 +90,10 @@ struct Pass<'a> {
     spent: Vec<f64>,
     /// Gear changes up to there.
     changed: Vec<u32>,
+    /// True where a knot is new in this round.
+    fresh: Vec<bool>,
+    /// Poses between which all pairs were tried in vain.
+    settled: Vec<Pose>,
     sampling: Sampling,
     /// How far the body can go ahead from the knot at hand, and back from each of the others.
     ahead: Reach,
@@ -93,12 +103,14 @@ struct Pass<'a> {
 impl<'a> Pass<'a> {
     /// A pass over a path's knots. Pairs are limited by [`MAX_PAIRS`], so a path of many knots is looked at less far
     /// ahead.
-    fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>) -> Self {
+    fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>, settled: Vec<Pose>) -> Self {
         let reach = MAX_PAIRS / knots.len().max(1);
         let sampling = Sampling::new(rules.spacing, rules.margin, rules.costs.radius);
         let (poses, spent, changed, back) = (vec![start], vec![0.0], vec![0], Vec::new());
         let ahead = Reach::new(start, sampling);
-        let mut pass = Self { rules, reach, knots, poses, spent, changed, sampling, ahead, back };
+        let fresh = vec![!is_among(start, &settled)];
+        let mut pass =
+            Self { rules, reach, knots, poses, spent, changed, fresh, settled, sampling, ahead, back };
         pass.measure(0);
         pass
     }
@@ -108,13 +120,16 @@ impl<'a> Pass<'a> {
         self.poses.truncate(from + 1);
         self.spent.truncate(from + 1);
         self.changed.truncate(from + 1);
+        self.fresh.truncate(from + 1);
         self.back.truncate(from + 1);
         self.back.resize(self.knots.len() + 1, None);
         for k in from..self.knots.len() {
             let (arc, pose) = (self.knots[k], self.poses[k]);
             let cost = self.rules.costs.arc(self.before(k), &arc)
                 + self.rules.costs.places(self.rules.checker, pose, &arc);
-            self.poses.push(pose.advance(arc.curvature, arc.length));
+            let end = pose.advance(arc.curvature, arc.length);
+            self.poses.push(end);
+            self.fresh.push(!is_among(end, &self.settled));
             self.spent.push(self.spent[k] + cost);
             let changed = changes(self.before(k), [arc], None);
             self.changed.push(self.changed[k] + changed);
@@ -140,6 +155,9 @@ impl<'a> Pass<'a> {
             for j in (i + 2..=self.knots.len().min(i + self.reach)).rev() {
                 if self.rules.checker.checks() >= limit {
                     return improved;
+                }
+                if !self.fresh[i] && !self.fresh[j] {
+                    continue;
                 }
                 if let Some(word) = self.better(i, j) {
                     self.knots.splice(i..j, word.arcs(self.rules.costs.radius));
@@ -189,6 +207,11 @@ impl<'a> Pass<'a> {
         let back = self.back[to].get_or_insert_with(|| Reach::new(self.poses[to], self.sampling));
         self.ahead.is_word_free(back, checker, word, costs.radius)
     }
+}
+
+/// True if a knot is one of some others.
+fn is_among(pose: Pose, knots: &[Pose]) -> bool {
+    knots.iter().any(|knot| (knot.point() - pose.point()).norm_squared() < SAME_PLACE)
 }
 
 /// Gear changes along some arcs, from `before` on into `next`.
