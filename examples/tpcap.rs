@@ -2,10 +2,12 @@
 //!
 //! ```sh
 //! PARKADE_DATA=folder cargo run --release --example tpcap [case or lot …] [setting=value …]
+//! PARKADE_DATA=folder cargo run --release --example tpcap fewest [setting=value …]
 //! PARKADE_DATA=folder cargo run --release --example tpcap json
 //! PARKADE_DATA=folder cargo run --release --example tpcap time scene
 //! ```
 //!
+//! `fewest` asks for the fewest gear changes and prints them beside those of the ordinary answer and the best known.
 //! `json` and `time`, for `cargo xtask bench parking`: these, the parking paper's rows and the tight slots with their
 //! scenes, by the usual settings and by those that the best known are compared with.
 //!
@@ -21,7 +23,7 @@ use std::path::Path;
 use parkade::import::{lots, tpcap};
 use parkade::metrics::Verdict;
 use parkade::plan::{Options, Plan, Planner};
-use parkade::planners::hybrid::{Config, Query, Report, Scratch, obstacles, plan};
+use parkade::planners::hybrid::{Config, Prefer, Query, Report, Scratch, obstacles, plan};
 use parkade::scenario::{Scenario, catalog};
 use serde_json::{Map, Value, json};
 
@@ -68,6 +70,7 @@ fn main() {
     match wanted.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["json"] => return print_json(&scenes),
         ["time", name] => return print_time(&scenes, name),
+        ["fewest"] => return print_fewest(&scenes, &config(&settings)),
         _ => {}
     }
     if scenes.is_empty() {
@@ -148,6 +151,30 @@ fn entry(group: &str, name: &str, scene: &Scenario) -> Value {
         })),
         "near": near,
     })
+}
+
+/// The gear changes of the ordinary answer, of the one with the fewest and of the best known, with the margins of ours.
+fn print_fewest(scenes: &[Scenario], settings: &Map<String, Value>) {
+    println!("| scene | changes | margin | fewest | margin | valid | length m | best known |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+    for scene in scenes {
+        let name = scene.name.clone().unwrap_or_default();
+        let mut planner = Planner::new("hybrid", scene, settings).expect("valid settings");
+        let first = planner.plan(Options::default());
+        let fewest = planner.plan(Options { prefer: Some(Prefer::FewestChanges), ..Options::default() });
+        let best =
+            BEST.iter().find(|best| best.0 == name).map_or(String::from("–"), |best| best.2.to_string());
+        let margin = |plan: &Plan| plan.metrics.hybrid.as_ref().map_or(0.0, |hybrid| hybrid.margin);
+        println!(
+            "| {name} | {} | {} | {} | {} | {} | {:.2} | {best} |",
+            first.metrics.direction_changes,
+            margin(&first),
+            fewest.metrics.direction_changes,
+            margin(&fewest),
+            fewest.check.verdict.as_str(),
+            fewest.metrics.length,
+        );
+    }
 }
 
 /// Plans a scene and prints its row; the milliseconds of one query.
