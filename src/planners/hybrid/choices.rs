@@ -12,23 +12,22 @@
 //!
 //! Each search has its own limit of expansions. It is as deterministic as the ordinary plan, and no result is proven
 //! the best of its kind.
-//!
-//! Layers by a price: let a gear change cost P metres more than any path is long. Then f orders states by gear
-//! changes first and by length second, and one search goes through them layer by layer. `Level::bound` is P times the
-//! changes that are known, so the search ends when nothing with fewer is left.
+
+mod fewest;
 
 use core::ops::ControlFlow;
 
 use super::config::{Config, FIRST_SHUFFLING_LEVEL, Level, SearchFrom};
 use super::portfolio::{COMFORTABLE_MARGIN, Floods};
 use super::profile::{FEW_CHANGES, Profile};
-use super::question::{MIN_MARGIN, Query, Scratch, Search, Work};
+use super::question::{Query, Scratch, Search, Work};
 use super::report::{Report, Status};
 use super::widest::{self, GAP_PARTS, MARGIN_SHARES};
 use crate::geometry::{Pose, arcs};
 use crate::json;
 use crate::search::Progress;
 use crate::vehicle::collision::CollisionChecker;
+use fewest::{FEWER_CHANGES_MARGINS, creeping_levels, layered};
 
 /// The preference by which a path is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,16 +52,14 @@ const WIDER_EXPANSIONS: [u32; 2] = [3000, 8000];
 const LAYER_EXPANSIONS: u32 = 5000;
 /// The finest level on which fewer are looked for by a price.
 const FINEST_PRICED_LEVEL: u32 = 3;
-/// Margins with which fewer are looked for beside the one kept, metres.
-const FEWER_CHANGES_MARGINS: [f64; 3] = [COMFORTABLE_MARGIN, 0.01, MIN_MARGIN];
 /// Extra cost of a gear change there, metres, …
 const EXTRA_CHANGE_COST: f64 = 5.0;
 /// … and expansions of each such search.
 const PRICED_EXPANSIONS: u32 = 20_000;
+/// Weight of the estimate on the lattice with half the steps.
+const FINE_LAYERS_WEIGHT: f64 = 2.0;
 /// A car that creeps into a slot keeps this much, metres: with it all lattices are searched from both ends.
 const CREEPING_MARGIN: f64 = 0.01;
-/// Extra cost of a gear change there, metres.
-const CREEPING_CHANGE_COST: f64 = 2.0;
 /// The shortcut may take so many gear changes more out of a path than must be saved.
 const BEFORE_SHORTCUT: u32 = 2;
 /// The level that is searched with and without room for the shortcut from the start, too.
@@ -71,10 +68,6 @@ const SWAPPED_TWICE: u32 = 2;
 const CREEPING_EXPANSIONS: u32 = 60_000;
 /// Expansions of each level's search for a shorter or a quicker path.
 const BETTER_EXPANSIONS: [u32; 2] = [10_000, 20_000];
-/// The price of a gear change where fewer are looked for: this many metres …
-const CHANGE_PRICE: f64 = 100.0;
-/// … and this many lengths of the first path. No way that is worth taking is as long.
-const CHANGE_PRICE_LENGTHS: f64 = 3.0;
 /// Time of a gear change, expressed in metres at full speed.
 const CHANGE_TIME: f64 = 6.0;
 /// Time to turn the wheel from straight to full lock, expressed in metres at full speed.
@@ -144,20 +137,6 @@ pub fn choices(
     report
 }
 
-/// The lattices of a car that creeps, and their levels' numbers: those of the plain levels and two between them.
-fn creeping_levels(config: &Config) -> impl Iterator<Item = (Level, u32)> + use<> {
-    let finest = FIRST_SHUFFLING_LEVEL - 1;
-    let [coarse, fine] = [0, finest].map(|number| config.level(number));
-    let between = Level { rock: 0.0, ..fine.fine_rocking(config) };
-    let others = [(between, finest), (fine.refined(1, config), finest)];
-    let plain: Vec<_> = (0..=finest).map(|number| (config.level(number), number)).collect();
-    plain.into_iter().chain(others).map(move |(level, number)| {
-        let weight = if number == 0 { coarse.weight } else { fine.weight };
-        let spacing = coarse.spacing;
-        (Level { weight, extra_change: CREEPING_CHANGE_COST, spacing, connect_every: 1, ..level }, number)
-    })
-}
-
 /// Whether the search goes on (true), and the arcs found.
 /// The caller ends the run by its answer to an offer, or by ending the progress.
 type Goes<T = ()> = ControlFlow<(), T>;
@@ -208,6 +187,7 @@ impl Run<'_, '_> {
             if self.work.report.status != Status::NoPath {
                 self.layers(margin, true)?;
             }
+            self.fine_layers(margin)?;
             for number in 1..=FINEST_PRICED_LEVEL {
                 self.fewer_by_price(number, margin)?;
             }
@@ -257,19 +237,29 @@ impl Run<'_, '_> {
         if self.changes == 0 || (is_swapped && !self.search.goals.is_empty()) {
             return Goes::Continue(());
         }
-        let price = CHANGE_PRICE + CHANGE_PRICE_LENGTHS * arcs::length(&self.first.arcs);
-        let level = Level {
-            extra_change: price - config.with_profile().direction_change_cost,
-            bound: price * f64::from(self.changes),
-            ..config.level(0).trying_all()
-        };
+        let known = arcs::length(&self.first.arcs);
+        let level = layered(config.level(0), &config, (known, self.changes));
         self.attempt(&config, (level, 0, LAYER_EXPANSIONS), margin, is_swapped)?;
         if !is_swapped && self.changes > 0 {
             // The order of the search decides which pose stands for a cell. Without an estimate it goes through each
             // layer as an exhaustive search does, and misses nothing that this one finds.
-            let all = Level { weight: 0.0, bound: price * f64::from(self.changes), ..level };
+            let all = Level { weight: 0.0, ..layered(config.level(0), &config, (known, self.changes)) };
             self.attempt(&config, (all, 0, LAYER_EXPANSIONS), margin, false)?;
         }
+        Goes::Continue(())
+    }
+
+    /// The same on a lattice with half the cells and steps, greedily: where few changes are left, the last one to save
+    /// may need a place to turn round that coarse steps pass by.
+    fn fine_layers(&mut self, margin: usize) -> Goes {
+        if !(1..=FEW_CHANGES).contains(&self.changes) {
+            return Goes::Continue(());
+        }
+        let config = *self.search.config;
+        let known = (arcs::length(&self.first.arcs), self.changes);
+        let level = layered(config.level(0).halved(), &config, known);
+        let level = Level { weight: FINE_LAYERS_WEIGHT, ..level };
+        self.attempt(&config, (level.with_changes(self.changes - 1), 0, PRICED_EXPANSIONS), margin, false)?;
         Goes::Continue(())
     }
 

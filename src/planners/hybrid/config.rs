@@ -264,6 +264,17 @@ impl Level {
         Self { connect_every: 1, connect_distance: f64::INFINITY, ..self }
     }
 
+    /// The same with cells, bins and steps of half the size.
+    pub(super) fn halved(self) -> Self {
+        Self { xy: self.xy / 2.0, yaw: self.yaw / 2.0, step: self.step / 2.0, ..self }
+    }
+
+    /// The same with the wide spacing of the coarsest level, and a curve from every state. Most such searches find
+    /// nothing, so they are to be cheap; the check of a path tells what a wide spacing misses.
+    pub(super) fn cheaply_tried(self, coarsest: &Self) -> Self {
+        Self { spacing: coarsest.spacing, connect_every: 1, ..self }
+    }
+
     /// The same where the car may rock. Gear changes cost little, or else everything would be tried before; and
     /// there are hardly any connections, as a way out of every slot is known and the way to the target is not.
     pub(super) fn rocking(self, config: &Config) -> Self {
@@ -301,6 +312,11 @@ impl Level {
         let yaw = degrees * DEGREE;
         let weight = config.heuristic_weight.unwrap_or(weight);
         Self { xy, yaw, step, weight, rock: ROCK_BINS * yaw, ..self }
+    }
+
+    /// The same lattice for a car that does not rock: one between the plain levels.
+    pub(super) fn between(self, config: &Config) -> Self {
+        Self { rock: 0.0, ..self.fine_rocking(config) }
     }
 }
 

@@ -1,42 +1,34 @@
 //! A second look where a path changes gear often: more searches in which a change is dear.
 //!
 //! Whoever answers first may rock where another drives on: in a tight slot coarse lattices soon end, and the first that
-//! gets out takes two changes where a finer one takes one. So the path is held against the coarsest lattice and a very
-//! fine one with the same margin and from the same end. A gear change costs several metres in them. What cannot be
-//! cheaper by that price than the known path is left out, and so is what takes as many changes, but for those that the
-//! shortcut may save: a search soon ends where there is nothing to gain.
+//! gets out takes two changes where a finer one takes one. So the path is held against the coarsest lattice with the
+//! same margin and from the same end. A gear change costs several metres in it. What cannot be cheaper by that price
+//! than the known path is left out, and so is what takes as many changes, but for those that the shortcut may save: a
+//! search soon ends where there is nothing to gain.
 //!
 //! Margin costs gear changes, too: with 10 cm a car may rock ten times where 3 cm let it in with four. So a path with
-//! many changes gives up margin, down to what is comfortable, where that saves several of them; one with few does where
-//! the coarsest lattice finds a way with hardly any. One that keeps no more than that is held against the same
-//! searches: what one lattice misses the next one finds.
+//! many changes gives up margin, down to what is comfortable, where that saves some of them: it is held against ever
+//! finer lattices, as what one misses the next one finds. One that keeps no more than that is held against the same
+//! searches with its own margin.
 
 use super::floods::Floods;
-use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, MANY_CHANGES};
+use super::members::{COMFORTABLE_MARGIN, MANY_CHANGES};
 use crate::geometry::arcs;
 use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, Level};
 use crate::planners::hybrid::profile::{FEW_CHANGES, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
 
-/// Extra cost of a gear change on the finest levels, metres: with what a path is charged they spend their budget
-/// before.
-const FINE_CHANGE_COST: f64 = MANY_CHANGES_COST + 1.0;
 /// Weight of the estimate.
 const WEIGHT: f64 = 2.0;
-/// Expansions of the fine search: as many as the path took, but so many at least and at most …
-const EXPANSIONS: [u32; 2] = [FIRST_SLICE, 50_000];
-/// … and at most the second number where the path has no more gear changes than the first: with so few, a better path
-/// is found soon or not at all.
-const SOON: (u32, u32) = (8, 10_000);
-/// Expansions of the coarsest lattice with the same margin.
+/// Expansions of the coarsest lattice, …
 const COARSE_EXPANSIONS: u32 = 5000;
-/// The level that is refined for it, and which of the refined lattices it takes: the one with the smallest cells.
-const LEVEL: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
-/// The searches with the margin that is comfortable: the level, how much finer its lattice is (0: not at all), and
-/// the expansions.
-const COMFORTABLE: [(u32, usize, u32); 6] =
-    [(0, 0, 5000), (1, 0, 10_000), (2, 0, 10_000), (3, 0, 10_000), (4, 1, 13_000), (4, 0, 5000)];
+/// … of those between, …
+const FINE_EXPANSIONS: u32 = 20_000;
+/// … and of the one with the smallest cells.
+const FINEST_EXPANSIONS: u32 = 12_000;
+/// The level that is refined, and which of the refined lattices is taken: the one with the smallest cells.
+const FINEST: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
 /// Less margin must save one of so many gear changes, …
 const SAVED_SHARE: u32 = 4;
 /// … and so many where there are few: 7 cm of margin are worth two changes, not three.
@@ -55,25 +47,26 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     if changes(work.report) <= FEW_CHANGES || config.levels() <= FIRST_SHUFFLING_LEVEL {
         return;
     }
-    let (number, refinement) = LEVEL;
-    let [least, most] = EXPANSIONS;
-    let most = if changes(work.report) <= SOON.0 { SOON.1 } else { most };
-    let level = config.level(number).refined(refinement, config);
-    let most = work.report.stats.expanded.clamp(least, most);
-    let Some(margin) = floods.margins.iter().position(|&margin| margin == work.report.margin) else { return };
-    attempt((search, floods), (config.level(0), 0, COARSE_EXPANSIONS), margin, 1, work);
-    if changes(work.report) > FEW_CHANGES {
-        attempt((search, floods), (level, number, most), margin, 1, work);
+    let at = |margin: f64| floods.margins.iter().position(|&one| one == margin);
+    let Some(kept) = at(work.report.margin) else { return };
+    let coarsest = (config.level(0), 0, COARSE_EXPANSIONS);
+    let less = at(COMFORTABLE_MARGIN).map_or(kept, |comfortable| comfortable.max(kept));
+    if less > kept {
+        attempt((search, floods), coarsest, kept, 1, work);
     }
-    let comfortable = floods.margins.iter().position(|&margin| margin == COMFORTABLE_MARGIN);
-    let Some(comfortable) = comfortable.filter(|&comfortable| comfortable >= margin) else { return };
-    for (number, refinement, most) in COMFORTABLE {
-        if changes(work.report) <= MANY_CHANGES && number > 0 {
-            return;
+    let (number, refinement) = FINEST;
+    let finest = config.level(number);
+    let searches = [
+        (coarsest, FEW_CHANGES),
+        ((config.level(2), 2, FINE_EXPANSIONS), MANY_CHANGES),
+        ((config.level(3), 3, FINE_EXPANSIONS), MANY_CHANGES),
+        ((finest.between(config), number, FINE_EXPANSIONS), MANY_CHANGES),
+        ((finest.refined(refinement, config), number, FINEST_EXPANSIONS), MANY_CHANGES - 1),
+    ];
+    for (level, few) in searches {
+        if changes(work.report) > few {
+            attempt((search, floods), level, less, changes_to_save(work.report), work);
         }
-        let level = config.level(number);
-        let level = if refinement > 0 { level.refined(refinement, config) } else { level };
-        attempt((search, floods), (level, number, most), comfortable, changes_to_save(work.report), work);
     }
 }
 
@@ -86,7 +79,7 @@ fn changes_to_save(report: &Report) -> u32 {
     match changes(report) {
         _ if report.margin <= COMFORTABLE_MARGIN => 1,
         few if few <= MANY_CHANGES => SAVED_OF_FEW,
-        many => many.div_ceil(SAVED_SHARE),
+        many => many / SAVED_SHARE,
     }
 }
 
@@ -105,12 +98,11 @@ fn attempt(
     let counters = work.report.counters();
     let known = core::mem::replace(work.report, counters);
     (work.report.margin, work.report.level) = (floods.margin(margin), number);
-    let is_fine = number == LEVEL.0 && floods.margin(margin) == COMFORTABLE_MARGIN;
     let level = Level {
         max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
-        extra_change: if is_fine { FINE_CHANGE_COST } else { MANY_CHANGES_COST },
-        ..level
+        extra_change: MANY_CHANGES_COST,
+        ..level.cheaply_tried(&config.level(0))
     };
     let before = changes(&known);
     // The shortcut may save some, the more so the coarser the steps and the longer the path.
