@@ -28,8 +28,8 @@ const MIN_GAIN: f64 = 1e-3;
 /// Collision checks after which shortcutting ends: work, not time, so that the result is the same everywhere.
 const MAX_CHECKS: u32 = 400_000;
 const MAX_PASSES: u32 = 6;
-/// Knots nearer to each other than this are the same, square metres.
-const SAME_PLACE: f64 = 1e-14;
+/// Knots nearer to each other than this are the same, metres.
+const SAME_PLACE: f64 = 1e-7;
 /// Pairs of knots that a round looks at, at most: on a long way hardly any curve is free over more than a short
 /// stretch.
 const MAX_PAIRS: usize = 6000;
@@ -55,7 +55,7 @@ pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc
     for knot in KNOT_SPACINGS {
         for _ in 0..MAX_PASSES {
             let mut pass = Pass::new(rules, start, split(&path, knot), settled);
-            settled = pass.poses.clone();
+            settled = pass.places.clone();
             let improved = pass.run(limit);
             path = arcs::merge(pass.knots);
             if !improved || rules.checker.checks() >= limit {
@@ -77,23 +77,29 @@ fn split(path: &[Arc], knot: f64) -> Vec<Arc> {
         .collect()
 }
 
-/// One round over all pairs of knots. Invariant: `poses`, `spent` and `changed` have one entry more than `knots`; a
-/// replacement renews what follows it.
+/// Where a knot begins.
+#[derive(Clone, Copy)]
+struct Place {
+    pose: Pose,
+    /// Cost up to there.
+    spent: f64,
+    /// Gear changes up to there.
+    changed: u32,
+    /// True in the round in which it is new.
+    is_fresh: bool,
+}
+
+/// One round over all pairs of knots. Invariant: there is one place more than `knots`; a replacement renews what
+/// follows it.
 struct Pass<'a> {
     rules: Rules<'a>,
     /// Knots that a replaced stretch has, at most.
     reach: usize,
     knots: Vec<Arc>,
     /// Before each knot's arc, and at the end.
-    poses: Vec<Pose>,
-    /// Cost up to there.
-    spent: Vec<f64>,
-    /// Gear changes up to there.
-    changed: Vec<u32>,
-    /// True where a knot is new in this round.
-    fresh: Vec<bool>,
-    /// Poses between which all pairs were tried in vain.
-    settled: Vec<Pose>,
+    places: Vec<Place>,
+    /// Those between which all pairs were tried in vain.
+    settled: Vec<Place>,
     sampling: Sampling,
     /// How far the body can go ahead from the knot at hand, and back from each of the others.
     ahead: Reach,
@@ -103,36 +109,35 @@ struct Pass<'a> {
 impl<'a> Pass<'a> {
     /// A pass over a path's knots. Pairs are limited by [`MAX_PAIRS`], so a path of many knots is looked at less far
     /// ahead.
-    fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>, settled: Vec<Pose>) -> Self {
+    fn new(rules: Rules<'a>, start: Pose, knots: Vec<Arc>, settled: Vec<Place>) -> Self {
         let reach = MAX_PAIRS / knots.len().max(1);
         let sampling = Sampling::new(rules.spacing, rules.margin, rules.costs.radius);
-        let (poses, spent, changed, back) = (vec![start], vec![0.0], vec![0], Vec::new());
-        let ahead = Reach::new(start, sampling);
-        let fresh = vec![!is_among(start, &settled)];
-        let mut pass =
-            Self { rules, reach, knots, poses, spent, changed, fresh, settled, sampling, ahead, back };
+        let first = Place { pose: start, spent: 0.0, changed: 0, is_fresh: settled.is_empty() };
+        let (places, back, ahead) = (vec![first], Vec::new(), Reach::new(start, sampling));
+        let mut pass = Self { rules, reach, knots, places, settled, sampling, ahead, back };
         pass.measure(0);
         pass
     }
 
     /// Poses, costs and gear changes beyond knot `from`.
     fn measure(&mut self, from: usize) {
-        self.poses.truncate(from + 1);
-        self.spent.truncate(from + 1);
-        self.changed.truncate(from + 1);
-        self.fresh.truncate(from + 1);
+        self.places.truncate(from + 1);
         self.back.truncate(from + 1);
         self.back.resize(self.knots.len() + 1, None);
         for k in from..self.knots.len() {
-            let (arc, pose) = (self.knots[k], self.poses[k]);
+            let (arc, Place { pose, spent, changed, .. }) = (self.knots[k], self.places[k]);
             let cost = self.rules.costs.arc(self.before(k), &arc)
                 + self.rules.costs.places(self.rules.checker, pose, &arc);
-            let end = pose.advance(arc.curvature, arc.length);
-            self.poses.push(end);
-            self.fresh.push(!is_among(end, &self.settled));
-            self.spent.push(self.spent[k] + cost);
-            let changed = changes(self.before(k), [arc], None);
-            self.changed.push(self.changed[k] + changed);
+            let pose = pose.advance(arc.curvature, arc.length);
+            self.places.push(Place {
+                pose,
+                spent: spent + cost,
+                changed: changed + changes(self.before(k), [arc], None),
+                is_fresh: !self
+                    .settled
+                    .iter()
+                    .any(|one| (one.pose.point() - pose.point()).norm() < SAME_PLACE),
+            });
         }
     }
 
@@ -151,12 +156,12 @@ impl<'a> Pass<'a> {
         let mut improved = false;
         let mut i = 0;
         while i < self.knots.len() {
-            self.ahead = Reach::new(self.poses[i], self.sampling);
+            self.ahead = Reach::new(self.places[i].pose, self.sampling);
             for j in (i + 2..=self.knots.len().min(i + self.reach)).rev() {
                 if self.rules.checker.checks() >= limit {
                     return improved;
                 }
-                if !self.fresh[i] && !self.fresh[j] {
+                if !self.places[i].is_fresh && !self.places[j].is_fresh {
                     continue;
                 }
                 if let Some(word) = self.better(i, j) {
@@ -174,15 +179,16 @@ impl<'a> Pass<'a> {
     /// The cheapest free curve from knot `i` to knot `j` that costs less than the stretch and has no more gear changes.
     fn better(&mut self, i: usize, j: usize) -> Option<Word> {
         let Rules { checker, costs, .. } = self.rules;
-        let (from, to) = (self.poses[i], self.poses[j]);
-        let old = self.spent[j] - self.spent[i] + self.join(j, &self.knots[j - 1]) - MIN_GAIN;
+        let [begin, end] = [self.places[i], self.places[j]];
+        let (from, to) = (begin.pose, end.pose);
+        let old = end.spent - begin.spent + self.join(j, &self.knots[j - 1]) - MIN_GAIN;
         let longest = old - self.knots.get(j).map_or(0.0, |next| next.length.abs());
         if (to.point() - from.point()).norm() >= longest {
             return None;
         }
         let before = self.before(i);
         let next = self.knots.get(j);
-        let allowed = self.changed[self.knots.len().min(j + 1)] - self.changed[i];
+        let allowed = self.places[self.knots.len().min(j + 1)].changed - begin.changed;
         let mut found: Vec<(f64, Word)> = Vec::new();
         // Most stretches are driven in one gear.
         let list = if allowed == 0 { reeds_shepp::list_in_one_gear } else { reeds_shepp::list_below };
@@ -204,14 +210,9 @@ impl<'a> Pass<'a> {
     /// True if a word from the knot at hand to knot `to` can be driven.
     fn free(&mut self, to: usize, word: &Word) -> bool {
         let Rules { checker, costs, .. } = self.rules;
-        let back = self.back[to].get_or_insert_with(|| Reach::new(self.poses[to], self.sampling));
+        let back = self.back[to].get_or_insert_with(|| Reach::new(self.places[to].pose, self.sampling));
         self.ahead.is_word_free(back, checker, word, costs.radius)
     }
-}
-
-/// True if a knot is one of some others.
-fn is_among(pose: Pose, knots: &[Pose]) -> bool {
-    knots.iter().any(|knot| (knot.point() - pose.point()).norm_squared() < SAME_PLACE)
 }
 
 /// Gear changes along some arcs, from `before` on into `next`.
