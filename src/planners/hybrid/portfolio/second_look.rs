@@ -29,10 +29,8 @@ const FINE_EXPANSIONS: u32 = 20_000;
 const FINEST_EXPANSIONS: u32 = 12_000;
 /// The level that is refined, and which of the refined lattices is taken: the one with the smallest cells.
 const FINEST: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
-/// Less margin must save one of so many gear changes, …
-const SAVED_SHARE: u32 = 4;
-/// … and so many where there are few: 7 cm of margin are worth two changes, not three.
-const SAVED_OF_FEW: u32 = 3;
+/// Less margin must save so many gear changes: more room is not to mean more changes.
+const SAVED_FOR_MARGIN: u32 = 2;
 /// The shortcut may save one of so many gear changes where there are many.
 const SHORTCUT_SHARE: u32 = 8;
 /// On a coarse lattice a path may cost so many times what is left of it after the shortcut.
@@ -76,11 +74,8 @@ fn changes(report: &Report) -> u32 {
 
 /// How many gear changes a path with the comfortable margin must save.
 fn changes_to_save(report: &Report) -> u32 {
-    match changes(report) {
-        _ if report.margin <= COMFORTABLE_MARGIN => 1,
-        few if few <= MANY_CHANGES => SAVED_OF_FEW,
-        many => many / SAVED_SHARE,
-    }
+    let is_worth_margin = report.margin > COMFORTABLE_MARGIN && changes(report) <= MANY_CHANGES;
+    if is_worth_margin { SAVED_FOR_MARGIN } else { 1 }
 }
 
 /// Takes the path of one more search, if it costs less and saves so many gear changes.
