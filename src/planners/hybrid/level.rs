@@ -112,14 +112,13 @@ impl Search<'_> {
         let this = self.arrived(&work.report.arcs);
         let without = this.costs().with_far_reverse(0.0);
         let price = work.report.cost - without.path(self.checker, self.start, &work.report.arcs);
-        let mut level = level;
+        let weight = self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT);
+        let mut level = Level { weight, ..level };
         if price > FAR_REVERSE_PRICE {
             level.far_reverse = FAR_REVERSE_WEIGHT;
             let most = level.max_expansions.min((price * FAR_REVERSE_EFFORT) as u32);
-            let weight = self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT);
             let before = work.report.cost;
-            let turning = Level { weight, max_expansions: most, ..level };
-            this.retry(turning, Some(work.report.status), work);
+            this.retry(Level { max_expansions: most, ..level }, Some(work.report.status), work);
             if work.report.cost < before {
                 return;
             }
@@ -136,7 +135,6 @@ impl Search<'_> {
         }
         let most = FEWER_CHANGES_EXPANSIONS.min(FEWER_CHANGES_EFFORT * work.report.stats.expanded);
         let level = Level {
-            weight: self.config.heuristic_weight.unwrap_or(RETRY_WEIGHT),
             extra_change: price,
             max_expansions: level.max_expansions.min(most),
             ..level.with_changes(changes)

@@ -57,6 +57,7 @@ pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc
             let mut pass = Pass::new(rules, start, split(&path, knot), settled);
             settled = pass.places.clone();
             let improved = pass.run(limit);
+            settled.retain(|old| is_among(old.pose, &pass.places));
             path = arcs::merge(pass.knots);
             if !improved || rules.checker.checks() >= limit {
                 break;
@@ -133,10 +134,7 @@ impl<'a> Pass<'a> {
                 pose,
                 spent: spent + cost,
                 changed: changed + changes(self.before(k), [arc], None),
-                is_fresh: !self
-                    .settled
-                    .iter()
-                    .any(|one| (one.pose.point() - pose.point()).norm() < SAME_PLACE),
+                is_fresh: !is_among(pose, &self.settled),
             });
         }
     }
@@ -213,6 +211,12 @@ impl<'a> Pass<'a> {
         let back = self.back[to].get_or_insert_with(|| Reach::new(self.places[to].pose, self.sampling));
         self.ahead.is_word_free(back, checker, word, costs.radius)
     }
+}
+
+/// True if one of some knots begins at a pose.
+#[inline(never)]
+fn is_among(pose: Pose, places: &[Place]) -> bool {
+    places.iter().any(|one| (one.pose.point() - pose.point()).norm() < SAME_PLACE)
 }
 
 /// Gear changes along some arcs, from `before` on into `next`.
