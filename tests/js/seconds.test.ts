@@ -136,8 +136,9 @@ describe("the seconds of a drive", () => {
         expect(timed.at(-1)!["t"], name).toBe(seconds);
         expect(travelled(timed), name).toBeCloseTo(drive.stations.at(-1)!, 2);
         expect(path.at(-1)!["t"], name).toBeCloseTo(seconds, 5);
-        // Between the rows of a path speeds rise and fall unseen.
-        expect(Math.abs((moved(path) + standing(drive.t, drive.speeds)) / seconds - 1), name).toBeLessThan(0.02);
+        // Between the rows of a path speeds rise and fall unseen, the more so where a car moves by centimetres.
+        const unseen = 0.02 * seconds + 0.3 * plan!.metrics.directionChanges!;
+        expect(Math.abs(moved(path) + standing(drive.t, drive.speeds) - seconds), name).toBeLessThan(unseen);
         const { moving: _, ...still } = scene;
         expect(judge(still, toTrajectoryCSV(drive)).duration, name).toBe(seconds);
       }

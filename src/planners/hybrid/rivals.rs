@@ -13,6 +13,7 @@ use super::portfolio::{COMFORTABLE_MARGIN, MANY_CHANGES};
 use super::profile::{FEW_CHANGES, Profile};
 use super::question::{MIN_MARGIN, Query};
 use super::report::{Report, Status};
+use crate::IS_COMPLETE;
 use crate::geometry::arcs;
 use crate::vehicle::collision::CollisionChecker;
 
@@ -82,7 +83,7 @@ pub(super) fn compare(
             && (report.arcs.is_empty()
                 || other.margin > report.margin
                 || (other.margin == report.margin && other.cost < report.cost)
-                || gives_up_margin(&other, &report));
+                || (IS_COMPLETE && gives_up_margin(&other, &report)));
         let checks = report.collision_checks.saturating_add(other.collision_checks);
         let mut sum = report.counters();
         sum.stats.add(other.stats);

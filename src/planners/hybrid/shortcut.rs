@@ -55,9 +55,10 @@ pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc
     for knot in KNOT_SPACINGS {
         for _ in 0..MAX_PASSES {
             let mut pass = Pass::new(rules, start, split(&path, knot), settled);
-            settled = pass.places.clone();
+            let mut known = pass.places.clone();
             let improved = pass.run(limit);
-            settled.retain(|old| is_among(old.pose, &pass.places));
+            known.retain(|old| is_among(old.pose, &pass.places));
+            settled = known;
             path = arcs::merge(pass.knots);
             if !improved || rules.checker.checks() >= limit {
                 break;
