@@ -70,13 +70,14 @@ pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc
 
 /// The path with each arc cut into equal parts of at most `knot` metres.
 fn split(path: &[Arc], knot: f64) -> Vec<Arc> {
-    path.iter()
-        .flat_map(|arc| {
-            let parts = (arc.length.abs() / knot).ceil().max(1.0);
-            let part = Arc { length: arc.length / parts, ..*arc };
-            core::iter::repeat_n(part, parts as usize)
-        })
-        .collect()
+    let mut knots = Vec::new();
+    for arc in path {
+        let parts = (arc.length.abs() / knot).ceil().max(1.0);
+        for _ in 0..parts as usize {
+            knots.push(Arc { length: arc.length / parts, ..*arc });
+        }
+    }
+    knots
 }
 
 /// Where a knot begins.
@@ -134,7 +135,7 @@ impl<'a> Pass<'a> {
             self.places.push(Place {
                 pose,
                 spent: spent + cost,
-                changed: changed + changes(self.before(k), [arc], None),
+                changed: changed + u32::from(self.before(k).then(&arc).changes),
                 is_fresh: !is_among(pose, &self.settled),
             });
         }
@@ -197,7 +198,8 @@ impl<'a> Pass<'a> {
             if cost >= old {
                 continue;
             }
-            if changes(before, word.arcs(costs.radius), next) <= allowed {
+            let arcs = word.arcs(costs.radius).chain(next.copied());
+            if u32::from(arcs.fold(before, |motion, arc| motion.then(&arc)).changes) <= allowed {
                 found.push((cost, word));
             }
         }
@@ -218,15 +220,4 @@ impl<'a> Pass<'a> {
 #[inline(never)]
 fn is_among(pose: Pose, places: &[Place]) -> bool {
     places.iter().any(|one| (one.pose.point() - pose.point()).norm() < SAME_PLACE)
-}
-
-/// Gear changes along some arcs, from `before` on into `next`.
-fn changes(before: Motion, arcs: impl IntoIterator<Item = Arc>, next: Option<&Arc>) -> u32 {
-    let gears = arcs.into_iter().chain(next.copied()).map(|a| Motion::after(&a).gear);
-    let mut gear = before.gear;
-    gears.fold(0, |count, g| {
-        let changed = gear != 0 && g != gear;
-        gear = g;
-        count + u32::from(changed)
-    })
 }
