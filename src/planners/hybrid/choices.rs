@@ -257,9 +257,9 @@ impl Run<'_, '_> {
         }
         let config = *self.search.config;
         let known = (arcs::length(&self.first.arcs), self.changes);
-        let level = layered(config.level(0).halved(), &config, known);
-        let level = Level { weight: FINE_LAYERS_WEIGHT, ..level };
-        self.attempt(&config, (level.with_changes(self.changes - 1), 0, PRICED_EXPANSIONS), margin, false)?;
+        let level = layered(config.level(0).halved(), &config, known).with_changes(self.changes - 1);
+        let level = level.within((FINE_LAYERS_WEIGHT, PRICED_EXPANSIONS), &config);
+        self.attempt(&config, (level, 0, PRICED_EXPANSIONS), margin, false)?;
         Goes::Continue(())
     }
 

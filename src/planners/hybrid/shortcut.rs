@@ -5,7 +5,8 @@
 //! the same cost model and adds no gear change. Each replacement lowers the cost, so passes end; n knots give O(n²)
 //! pairs, which is why pairs and collision checks have limits.
 //!
-//! Rounds go on until nothing is replaced any more. A pair of knots that a round has tried in vain is not tried again.
+//! Rounds go on until nothing is replaced any more, six at most for each spacing. A pair that a round has tried in vain
+//! is not tried again while both its knots stay where they are.
 //!
 //! The result is deterministic: limits count work, not time.
 //!
@@ -57,6 +58,7 @@ pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc
             let mut pass = Pass::new(rules, start, split(&path, knot), settled);
             let mut known = pass.places.clone();
             let improved = pass.run(limit);
+            // A knot that was replaced may come back where it was, with another path on either side.
             known.retain(|old| is_among(old.pose, &pass.places));
             settled = known;
             path = arcs::merge(pass.knots);

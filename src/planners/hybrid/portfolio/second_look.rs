@@ -29,7 +29,7 @@ const FINE_EXPANSIONS: u32 = 40_000;
 const FINEST_EXPANSIONS: u32 = 24_000;
 /// The level that is refined, and which of the refined lattices is taken: the one with the smallest cells.
 const FINEST: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
-/// Less margin must save so many gear changes: more room is not to mean more changes.
+/// Less margin must save so many gear changes where there are few: more room is not to mean more changes.
 const SAVED_FOR_MARGIN: u32 = 2;
 /// The shortcut may save one of so many gear changes where there are many.
 const SHORTCUT_SHARE: u32 = 8;
