@@ -3,7 +3,8 @@
 //! The order is that of a driver's wishes: first a comfortable margin with coarse steps, then smaller margins, then
 //! finer steps, at last the searches that creep or rock out of the tightest slots. One member stands out of that
 //! order. The coarsest search with the least margin goes early, because it reaches more than any other of its level:
-//! where it ends without a path, it rules out many others at once (`outdoes`).
+//! where it ends without a path, it rules out many others at once (`outdoes`). And before the finest steps a few
+//! searches rock, as these go on for long in a slot out of which a car can only turn nearly on the spot.
 
 use crate::IS_COMPLETE;
 use crate::planners::hybrid::config::{CHEAP_CHANGE_COST, Config, FIRST_SHUFFLING_LEVEL, Level, REFINEMENTS};
@@ -15,6 +16,8 @@ pub(super) const FIRST_SLICE: u32 = 8192;
 /// With more gear changes than this, finer steps may find a path with fewer.
 pub(in crate::planners::hybrid) const MANY_CHANGES: u32 = 4;
 
+/// The coarser of the levels that rock.
+pub(super) const ROCKING_LEVEL: u32 = 2;
 /// Up to this level a search with the least margin is worth its while before finer ones with more are.
 const LAST_CHEAP_LEVEL: u32 = 3;
 /// The finer of the levels that rock.
@@ -141,6 +144,11 @@ pub(super) fn plain(level: u32, margin: usize) -> Member {
     Member { level, margin, from: From::Hard, style: Style::Plain }
 }
 
+/// From the hard end, for a car that may rock.
+pub(super) fn rocking(level: u32, margin: usize) -> Member {
+    Member { style: Style::Rocking, ..plain(level, margin) }
+}
+
 /// Whoever has not tried yet, what a driver likes best in front.
 ///
 /// `levels` is the number of levels that the settings allow, `widest` the index of the largest margin with which a
@@ -156,17 +164,22 @@ pub(super) fn members(levels: u32, widest: usize, margins: &[f64]) -> Vec<Member
         members.extend((widest..=least).map(|margin| plain(level, margin)));
     }
     members.extend(finer);
+    if IS_COMPLETE && levels > FIRST_SHUFFLING_LEVEL {
+        let comfortable = (widest..=least).filter(|&margin| margins[margin] >= COMFORTABLE_MARGIN);
+        members.extend(comfortable.map(|margin| rocking(ROCKING_LEVEL, margin)));
+    }
     // Sorted by level and margin before.
-    arrange(&mut members, &|&Member { level, margin, .. }| {
+    arrange(&mut members, &|&Member { level, margin, style, .. }| {
         let is_comfortable = margins[margin] >= COMFORTABLE_MARGIN || margin == widest;
         match level {
+            _ if IS_COMPLETE && style == Style::Rocking => [4, 0, 0],
             // Searched to the end with the least margin, the coarsest proves soonest that there is hardly a way.
             1 if margin == widest => [0; 3],
             1 if margin == least => [1, 0, 0],
             1..=LAST_CHEAP_LEVEL if is_comfortable => [2, margin, 0],
             1..=LAST_CHEAP_LEVEL if margin == least => [3, 0, 0],
-            _ if is_comfortable => [4, 0, 0],
-            _ => [5, 0, 0],
+            _ if is_comfortable => [5, 0, 0],
+            _ => [6, 0, 0],
         }
     });
     members

@@ -10,11 +10,9 @@
 //! The second is asked only where one of the first has spent its work in vain: there is room left to search, and ways
 //! have been found there. Its members go on for long, from either end, and take gear changes lightly.
 
-use super::members::{FINE_ROCKING_LEVEL, From, Member, Style, plain};
+use super::members::{FINE_ROCKING_LEVEL, From, Member, ROCKING_LEVEL, Style, plain, rocking};
 use crate::planners::hybrid::config::{Config, Heuristic};
 
-/// The level that rocks with the least margin and, where that finds a path, with more.
-const ROCKING_LEVEL: u32 = 2;
 /// The level of those that go on for long.
 const DOGGED_LEVEL: u32 = 2;
 
@@ -52,10 +50,6 @@ pub(super) fn with_more_margin(
         Style::Guided | Style::Dogged => Member { margin, ..member },
         _ => rocking(ROCKING_LEVEL, margin),
     })
-}
-
-fn rocking(level: u32, margin: usize) -> Member {
-    Member { style: Style::Rocking, ..plain(level, margin) }
 }
 
 /// Those that the settings allow.

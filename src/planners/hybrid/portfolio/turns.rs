@@ -277,13 +277,14 @@ impl<'a> Turns<'a> {
     }
 
     /// A member has found a path. Only those go on that may keep more margin, a little more first, or, where there are
-    /// many gear changes, save some.
+    /// many gear changes, save some. None rocks where another drove out.
     fn found(&mut self, at: usize, report: &mut Report) -> usize {
         let member = self.members[at];
         let is_comfortable = report.margin >= COMFORTABLE_MARGIN;
         let is_restless = arcs::direction_changes(&report.arcs) > MANY_CHANGES;
         let more = if is_comfortable { FIRST_SLICE } else { MORE_MARGIN_EXPANSIONS };
         self.effort = self.effort.min(report.stats.expanded.saturating_add(report.stats.expanded.max(more)));
+        let need_not_rock = IS_COMPLETE && self.stage == Stage::Levels && member.style != Style::Rocking;
         if IS_COMPLETE && self.stage != Stage::Levels {
             self.members.extend(open_space::with_more_margin(member, self.widest..member.margin));
         }
@@ -292,7 +293,9 @@ impl<'a> Turns<'a> {
         self.drop(at, |one| {
             let is_better = one.margin < member.margin
                 || (is_restless && one.margin == member.margin && one.level > member.level);
-            !is_better || (is_comfortable && one.is_last_resort())
+            let is_vain =
+                (is_comfortable && one.is_last_resort()) || (need_not_rock && one.style == Style::Rocking);
+            !is_better || is_vain
         });
         let margins = &self.floods.margins;
         arrange(&mut self.members, &|one| {
