@@ -11,7 +11,7 @@ use parkade::vehicle::Vehicle;
 
 use super::lot::Lot;
 #[cfg(not(target_arch = "wasm32"))]
-use crate::tight_scenes::{Scene, bay, cluttered, corner, kerb};
+use crate::tight_scenes::{self, Scene, bay, cluttered, corner, kerb};
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
 #[cfg_attr(not(target_arch = "wasm32"), test)]
@@ -261,4 +261,27 @@ fn the_fewest_gear_changes_are_found_by_creeping_too() {
         choices(&query, (&config, &[]), wish, (&mut scratch, &mut None), &mut offer);
         assert!(fewest <= 2, "{name}: {fewest}");
     }
+}
+
+/// Every other seed is the other car. What passes unseen between two checks is 3 mm at most.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn a_path_keeps_the_margin_that_it_is_said_to_keep() {
+    use parkade::plan::{Options, Planner};
+    let (mut paths, mut near) = (0, 0);
+    for (kind, draw) in tight_scenes::KINDS {
+        for seed in 5001..5007 {
+            let car = if seed % 2 == 0 { Vehicle::SEDAN } else { Vehicle::PAPER };
+            let scene = draw(&car, seed);
+            let plan = Planner::new("hybrid", &scene.scenario(), &serde_json::Map::new())
+                .unwrap()
+                .plan(Options::default());
+            let Some(figures) = plan.metrics.hybrid.filter(|_| plan.reason.is_none()) else { continue };
+            let (room, margin) = (plan.metrics.min_clearance, figures.margin);
+            assert!(room >= margin - 0.003, "{kind}, {seed}: {room} of {margin}");
+            paths += 1;
+            near += u32::from(room < margin + 0.01);
+        }
+    }
+    assert!(paths > 25 && near > 10, "{paths} {near}");
 }

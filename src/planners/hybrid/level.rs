@@ -6,11 +6,12 @@
 //!    cheaper;
 //! 2. turn the path round if the tree grew from the goal;
 //! 3. straighten it with the shortcut, by the same costs, margin and spacing of checks;
-//! 4. check the whole path every centimetre, with the least margin or, where no more is asked for, with none.
+//! 4. check the whole path every centimetre: it must keep the margin, but for a millimetre.
 //!
-//! Collision checks are samples along arcs. A spacing of a few centimetres is fast and misses a corner now and then;
-//! step 4 finds that, and the level is searched again with half the spacing, twice at most. A path that is returned
-//! has always passed step 4.
+//! Collision checks are samples along arcs. A spacing of a few centimetres is fast, and it misses now and then how two
+//! corners pass each other: where samples are 10 cm apart, a margin of 10 cm may be short of three. Step 4 finds that.
+//! Then the shortcut is tried again with half the spacing, or the search where its own path is at fault, twice at most.
+//! A path that is returned has always passed step 4.
 //!
 //! The first level spends its budget in three parts. A thousand expansions answer most questions. Where they do not,
 //! 250 expansions from the other end show whether that end is the hard one to leave. The rest is spent with the
@@ -37,6 +38,10 @@ use crate::search::{End, Limits, SearchStats, best_first};
 
 /// Spacing of the last check of a path, metres.
 const VERIFY_SPACING: f64 = 0.01;
+/// How often the spacing of a search's checks is halved where that one fails.
+const HALVINGS: i32 = 2;
+/// It may keep so much less than its margin there, metres.
+const MARGIN_TOLERANCE: f64 = 0.001;
 /// Expansions from the other end, to see whether anything leads out of there.
 const OTHER_END_EXPANSIONS: u32 = 250;
 /// Expansions after which the estimate gets more weight.
@@ -62,6 +67,11 @@ pub(super) enum First {
     Failed,
     /// The other end is the one that is hard to leave.
     Cramped,
+}
+
+/// The same level with checks that are so many times nearer to each other by half.
+fn finer(level: Level, halvings: i32) -> Level {
+    Level { spacing: level.spacing / f64::from(1 << halvings), ..level }
 }
 
 impl Search<'_> {
@@ -160,12 +170,10 @@ impl Search<'_> {
     /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.
     #[inline(never)]
     pub(super) fn level(&self, level: Level, work: &mut Work) -> bool {
-        for halvings in 0..3 {
-            let level = Level { spacing: level.spacing / f64::from(1 << halvings), ..level };
-            let Some((arcs, status)) = self.search(level, work) else { return false };
+        for halvings in 0..=HALVINGS {
+            let Some((arcs, status)) = self.search(finer(level, halvings), work) else { return false };
             let this = self.arrived(&arcs);
-            let arcs = this.improve(arcs, level, work.report.margin);
-            if this.verified(&arcs, work.report.margin) {
+            if let Some(arcs) = this.improved(arcs, level, halvings, work.report.margin) {
                 let costs = this.costs();
                 work.report.cost = costs.path(self.checker, self.start, &arcs);
                 work.report.arcs = arcs;
@@ -175,6 +183,21 @@ impl Search<'_> {
             work.report.status = Status::VerificationFailed;
         }
         false
+    }
+
+    /// A path after the shortcut, if it passes verification. Where only the shortcut's curves do not, finer checks of
+    /// these are enough.
+    fn improved(&self, arcs: Vec<Arc>, level: Level, halvings: i32, margin: f64) -> Option<Vec<Arc>> {
+        for halvings in halvings..=HALVINGS {
+            let better = self.straightened(&arcs, finer(level, halvings), margin);
+            if self.verified(&better, margin) {
+                return Some(better);
+            }
+            if !self.config.shortcut || !self.verified(&arcs, margin) {
+                break;
+            }
+        }
+        None
     }
 
     /// Grows the tree of one level; returns the path as driven, and whether it is proven the cheapest. Without a path
@@ -247,22 +270,25 @@ impl Search<'_> {
     }
 
     /// The path after the shortcut, where the settings ask for one.
-    fn improve(&self, arcs: Vec<Arc>, level: Level, margin: f64) -> Vec<Arc> {
+    fn straightened(&self, arcs: &[Arc], level: Level, margin: f64) -> Vec<Arc> {
         if !self.config.shortcut {
-            return arcs;
+            return arcs.to_vec();
         }
         let costs = self.costs().with_far_reverse(level.far_reverse);
         let rules = shortcut::Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        shortcut::shortcut(rules, self.start, arcs)
+        shortcut::shortcut(rules, self.start, arcs.to_vec())
     }
 
-    /// True if the path is free at the finest spacing and ends at the goal. Where it is to keep more than what passes
-    /// unseen between two checks, that much must be free: the validator looks between them.
+    /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. Where it is to keep more
+    /// than what passes unseen between two checks, that much must be free: the validator looks between them.
+    #[inline(never)]
     fn verified(&self, arcs: &[Arc], margin: f64) -> bool {
-        let margin = if margin > MIN_MARGIN { MIN_MARGIN } else { 0.0 };
+        let (checker, is_least) = (self.checker, margin <= MIN_MARGIN);
+        let least = if is_least { 0.0 } else { MIN_MARGIN };
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {
-            let free = self.checker.arc_free(pose, arc, VERIFY_SPACING, margin);
+            let free = checker.arc_free(pose, arc, VERIFY_SPACING, least)
+                && (is_least || checker.keeps(pose, arc, VERIFY_SPACING, (margin, MARGIN_TOLERANCE)));
             pose = pose.advance(arc.curvature, arc.length);
             free
         });

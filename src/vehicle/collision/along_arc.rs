@@ -115,6 +115,29 @@ impl CollisionChecker<'_> {
         }
     }
 
+    /// True if the body keeps a clearance along an arc, but for a tolerance, both in metres: looked at every `spacing`
+    /// metres, or less often where there is room.
+    ///
+    /// This is the distance from the body to the nearest edge. The margin of the other questions is a larger body, whose
+    /// corners reach farther than that.
+    #[inline(never)]
+    pub fn keeps(&self, from: Pose, arc: &Arc, spacing: f64, (clearance, tolerance): (f64, f64)) -> bool {
+        let whole = arc.length.abs();
+        let mut kept = 0.0;
+        loop {
+            let [at, rest] = [kept, whole - kept].map(|length| length.copysign(arc.length));
+            let pose = from.advance(arc.curvature, at);
+            if self.clearance(pose, clearance) < clearance - tolerance {
+                return false;
+            }
+            kept += self.free_length(pose, &Arc { length: rest, ..*arc }, spacing, clearance);
+            if kept >= whole {
+                return true;
+            }
+            kept = f64::min(kept + spacing, whole);
+        }
+    }
+
     /// How far the body with `margin` around it can drive along an arc until it meets something, metres without sign:
     /// tested every `spacing` metres, or less often where there is room, and the end told to a sixteenth of that.
     ///

@@ -151,3 +151,30 @@ fn what_a_gap_tells_is_what_every_pose_tells() {
     }
     assert!(poses > 150_000 && free > 5000 && blocked > 5000, "{poses} {free} {blocked}");
 }
+
+#[test]
+fn a_clearance_that_is_kept_is_kept_at_every_millimetre() {
+    let (tolerance, unseen) = (0.001, 0.002);
+    let (mut kept, mut lost) = (0, 0);
+    for number in 0..60 {
+        let hall = hall(number);
+        let checker = CollisionChecker::new(&hall, &Vehicle::SEDAN);
+        for k in 0..200 {
+            let from = somewhere(1000 * number + k);
+            let curvature = [0.0, 0.25, -0.17][k as usize % 3];
+            let arc = Arc { curvature, length: [3.0, -2.0, 0.3][k as usize / 3 % 3] };
+            let clearance = [0.1, 0.03][k as usize % 2];
+            let millimetres = (arc.length.abs() * 1000.0) as u32;
+            let along = |n: u32| from.advance(curvature, arc.length * f64::from(n) / f64::from(millimetres));
+            let least = (0..=millimetres).map(|n| checker.clearance(along(n), 0.3)).fold(0.3, f64::min);
+            if checker.keeps(from, &arc, 0.01, (clearance, tolerance)) {
+                kept += u32::from(least < 0.3);
+                assert!(least >= clearance - tolerance - unseen, "{from:?} {arc:?}: {least} of {clearance}");
+            } else {
+                lost += 1;
+                assert!(least < clearance, "{from:?} {arc:?}: {least} of {clearance}");
+            }
+        }
+    }
+    assert!(kept > 500 && lost > 500, "{kept} {lost}");
+}
