@@ -31,12 +31,7 @@ const WASM_FILE: &str = "parkade_bg.wasm";
 /// Level 2 with this threshold is smaller than level 3 with 50 and 225, and runs the searches no slower.
 const COMPLETE_FLAGS: &[&str] = &["-C", "opt-level=2", "-C", "llvm-args=--inline-threshold=120"];
 /// The first download shall be small; it plans for a few seconds only, until the complete module is there.
-const CORE_FLAGS: &[&str] = &[
-    "-C",
-    "opt-level=s",
-    "-C",
-    "llvm-args=--inline-threshold=5 --inlinehint-threshold=5 --bonus-inst-threshold=0",
-];
+const CORE_FLAGS: &[&str] = &["-C", "opt-level=s", "-C", "llvm-args=--inline-threshold=5"];
 /// Constants that are added to an address become part of the access. That asks for a first kilobyte of memory without
 /// data: the stack lies there, and ends with a trap when it is full.
 const ADDRESSES: &[&str] = &["--low-memory-unused", "--optimize-added-constants-propagate"];

@@ -279,16 +279,16 @@ impl Search<'_> {
         shortcut::shortcut(rules, self.start, arcs.to_vec())
     }
 
-    /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. Where it is to keep more
-    /// than what passes unseen between two checks, that much must be free: the validator looks between them.
-    #[inline(never)]
+    /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. The least margin is what
+    /// passes unseen between two checks, so it is not looked for.
     fn verified(&self, arcs: &[Arc], margin: f64) -> bool {
-        let (checker, is_least) = (self.checker, margin <= MIN_MARGIN);
-        let least = if is_least { 0.0 } else { MIN_MARGIN };
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {
-            let free = checker.arc_free(pose, arc, VERIFY_SPACING, least)
-                && (is_least || checker.keeps(pose, arc, VERIFY_SPACING, (margin, MARGIN_TOLERANCE)));
+            let free = if margin > MIN_MARGIN {
+                self.checker.keeps(pose, arc, VERIFY_SPACING, (margin, MARGIN_TOLERANCE))
+            } else {
+                self.checker.arc_free(pose, arc, VERIFY_SPACING, 0.0)
+            };
             pose = pose.advance(arc.curvature, arc.length);
             free
         });

@@ -120,8 +120,10 @@ impl CollisionChecker<'_> {
     ///
     /// This is the distance from the body to the nearest edge. The margin of the other questions is a larger body, whose
     /// corners reach farther than that.
-    #[inline(never)]
     pub fn keeps(&self, from: Pose, arc: &Arc, spacing: f64, (clearance, tolerance): (f64, f64)) -> bool {
+        if !self.corridor_holds(from, arc) {
+            return false;
+        }
         let whole = arc.length.abs();
         let mut kept = 0.0;
         loop {
