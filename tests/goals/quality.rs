@@ -19,10 +19,11 @@ fn alone(planner: &mut Planner, goal: &GoalPose) -> Plan {
 }
 
 /// Ten free slots, each of which may be entered either way: as cheap as the best of twenty plans, within a twentieth,
-/// on 95 % of the lots; and no dearer than the plan for the goal that is taken.
+/// on 95 % of the lots; and no dearer than the plan for the goal that is taken, within a hundredth, but for one lot in
+/// fifty: a single goal is searched with less weight on the estimate.
 #[test]
 fn the_cheapest_of_ten_slots_is_taken_at_little_more_work_than_one() {
-    let (mut near, mut work) = (0, Vec::new());
+    let (mut near, mut dearer, mut work) = (0, 0, Vec::new());
     let (mut checks, mut one, mut some) = (0_u64, 0_u64, 0_u64);
     for seed in 0..LOTS {
         let scene = lot(seed, 10);
@@ -34,7 +35,8 @@ fn the_cheapest_of_ten_slots_is_taken_at_little_more_work_than_one() {
         let best = plans.iter().map(cost).fold(f64::INFINITY, f64::min);
         near += u64::from(cost(&plan) <= 1.05 * best);
         let own = &plans[goals.iter().position(|goal| goal == taken).unwrap()];
-        assert!(cost(&plan) <= cost(own) * 1.01, "lot {seed}: {} and alone {}", cost(&plan), cost(own));
+        dearer += u64::from(cost(&plan) > cost(own) * 1.01);
+        assert!(cost(&plan) <= cost(own) * 1.05, "lot {seed}: {} and alone {}", cost(&plan), cost(own));
         let counted = |plan: &Plan| u64::from(plan.stats.collision_checks.unwrap());
         (checks, one) = (checks + counted(&plan), one + counted(own));
         work.push(counted(&plan) as f64 / counted(own) as f64);
@@ -48,6 +50,7 @@ fn the_cheapest_of_ten_slots_is_taken_at_little_more_work_than_one() {
         "within 5 %: {near} of {LOTS}; collision checks against the goal taken, alone: median {median:.2}, sum \
          {taken:.2}; against the middle goal: {middle:.3}"
     );
+    assert!(50 * dearer <= LOTS, "{dearer} of {LOTS} cost more than their own goal alone");
     assert!(100 * near >= 95 * LOTS, "{near} of {LOTS} are within 5 % of the best");
     assert!(median <= 1.5 && middle <= 0.5, "{median} {middle}");
 }

@@ -1,11 +1,13 @@
 /** Trajectories in the place of paths: when they are asked for, what is shown of them, and what becomes of a choice. */
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import type { Drive, Plan } from "parkade";
+import type { Drive, Plan, PlannerInfo } from "parkade";
 import { decodeView, encodeView } from "../../www/src/app/view-link";
+import { follow } from "../../www/src/planning/improver";
 import { chooseSmooth, followSmooth } from "../../www/src/planning/smoother";
 import { played } from "../../www/src/store/results";
 import { inNextFrame } from "../../www/src/store/animation-frame";
 import { createStore, emptyResult, type PanelResult, type Scene, type Store } from "../../www/src/store";
+import { introduce } from "../../www/src/styles/planner-style";
 import { keepPlace } from "../../www/src/view/keep-place";
 import { drivenAt } from "../../www/src/view/playback-time";
 
@@ -136,6 +138,25 @@ describe("a trajectory", () => {
     expect(FakeWorker.all).toHaveLength(2);
     await worker().answer({ answer: { trajectory, drive: trajectory, line } });
     expect(played(store.state.results["hybrid"])!.drive).toBe(trajectory);
+  });
+
+  it("waits while bays are asked, as better paths do", async () => {
+    const bays = { rows: new Map(), stale: new Set<number>(), done: 3, of: 4, lit: null, opened: false },
+      asked = { ...bays, vehicle: { id: "own", vehicle: "sedan" as const }, entry: "either" as const },
+      store = open();
+    await settle();
+    introduce([{ id: "hybrid", family: "hybrid" } as PlannerInfo]);
+    store.set({ bays: asked, prefer: { hybrid: "shortest" }, results: { hybrid: answered("two") } });
+    follow({ store, planning: {}, complete: () => Promise.resolve({ api: { packRuns: () => "" } } as never) });
+    await worker().answer({ answer: { trajectory, drive: trajectory, line } });
+    const calls = (): string[] => FakeWorker.all.flatMap(({ asked }) => asked.map(({ name }) => name));
+    await settle();
+    expect(calls()).toEqual(["smooth"]);
+    store.set({ bays: { ...asked, done: 4 } });
+    await vi.waitFor(() => expect(calls().sort()).toEqual(["improve", "smooth", "smooth"]));
+    // A new question to the bays takes the processor back.
+    store.set({ bays: asked });
+    expect(FakeWorker.all.some(({ asked, isTerminated }) => asked[0]!.name === "improve" && isTerminated)).toBe(true);
   });
 
   it("that was not found leaves the path, with the reason; another path is tried again", async () => {

@@ -3,7 +3,7 @@ import type { HybridPlan, HybridPlannerId, Plan, PlannerId } from "parkade";
 import { followGoals } from "./follow-goals";
 import { limitsOn } from "../scene/speed-limits";
 import { forPlanners } from "../scene/large-scene";
-import type { PanelResult, Scene, State, Store } from "../store";
+import { isCheckingBays, type PanelResult, type Scene, type State, type Store } from "../store";
 import { drivesCar } from "../styles/planner-style";
 import type { Driven } from "./choices-of";
 import { chosenOf, isProven } from "./chosen";
@@ -53,6 +53,7 @@ const WATCHED = [
   "canUndo",
   "hover",
   "playback",
+  "bays",
 ] as const;
 
 class Improver {
@@ -75,7 +76,7 @@ class Improver {
   start(): void {
     this.app.store.derive((state, previous) => {
       const { question } = this;
-      if (question && !isAsked(question, state)) this.giveUp();
+      if (question && (isCheckingBays(state) || !isAsked(question, state))) this.giveUp();
       if (WATCHED.some((key) => state[key] !== previous[key])) this.follow();
     });
     this.follow();
@@ -115,8 +116,8 @@ class Improver {
   /** A planner whose answer rests and has not been asked for more; the one in front first. */
   private next(): PlannerId | undefined {
     const { state } = this;
-    if (!this.app.planning || !state.complete || state.transient || state.playback.playing || document.hidden)
-      return undefined;
+    const isOccupied = state.transient || state.playback.playing || isCheckingBays(state);
+    if (!this.app.planning || !state.complete || isOccupied || document.hidden) return undefined;
     const isAlive = state.canUndo || state.hover !== null || isPage();
     const isQuick = (planner: PlannerId): boolean =>
       isAlive && (state.results[planner]?.time?.total ?? LONG_MS) < LONG_MS;

@@ -5,7 +5,7 @@ import { drivesCar, hasField, plannerName } from "../styles/planner-style";
 import { isOneGoal } from "../scene/model";
 import { limitsOn } from "../scene/speed-limits";
 import { forPlanners, isUnpacked, withoutCells } from "../scene/large-scene";
-import { emptyResult, type PanelResult, type Scene, type State, type Store } from "../store";
+import { emptyResult, isCheckingBays, type PanelResult, type Scene, type State, type Store } from "../store";
 import { Lane, type Job } from "./planner-queue";
 import { extentFor, type Engine } from "./engine-loader";
 import { failureText, forceEvery, isTraced, layersOf, offLattice, sameMap, withOld, withoutPath } from "./answers";
@@ -385,8 +385,8 @@ export class Planning {
     const heavy = planners.some((planner) => (results[planner]?.time?.total ?? 0) > TOO_LONG_MS);
     if (transient || heavy || this.isBusy()) return;
     this.quiet = setTimeout(() => {
-      // Animation and planning would share the processor, and the times would show it.
-      if (this.store.state.playback.playing) this.whenQuiet();
+      // Others would share the processor, and the times would show it.
+      if (this.store.state.playback.playing || isCheckingBays(this.store.state)) this.whenQuiet();
       else void this.measure(SAMPLES);
     }, QUIET_MS);
   }

@@ -4,7 +4,7 @@ import { forPlanners } from "../scene/large-scene";
 import { hasRoad } from "../scene/speed-limits";
 import { recall, remember } from "../store/preferences";
 import type { Smoothed } from "../store/results";
-import type { PanelResult, State, Store } from "../store";
+import { isCheckingBays, type PanelResult, type State, type Store } from "../store";
 import type { Engine } from "./engine-loader";
 import { isPage } from "./improver";
 import { CallError } from "./calls";
@@ -29,6 +29,7 @@ const WATCHED = [
   "canUndo",
   "hover",
   "playback",
+  "bays",
 ] as const;
 
 interface App {
@@ -104,6 +105,7 @@ class Smoother {
       !state.smooth ||
       state.transient ||
       document.hidden ||
+      isCheckingBays(state) ||
       !canSmooth(state)
     )
       return undefined;

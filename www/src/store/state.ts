@@ -145,6 +145,9 @@ export interface DerivedState {
 /** Never mutated: every change makes new objects, so views compare by identity. */
 export interface State extends DocumentState, SessionState, PreferenceState, DerivedState {}
 
+/** True while bays are asked: what can wait leaves the processors to them. */
+export const isCheckingBays = ({ bays }: Pick<State, "bays">): boolean => !!bays && bays.done < bays.of;
+
 export const emptyResult: PanelResult = {
   plan: null,
   lastGood: null,
