@@ -166,8 +166,8 @@ pub struct GridMetrics {
 pub struct HybridMetrics {
     /// Cost of the path under the planner's settings.
     pub cost: f64,
-    /// The margin planned with, metres: less than asked where start or goal have less, 2 mm where any more keeps
-    /// the car in.
+    /// The margin planned with, metres. The path keeps it to 3 mm. It is less than asked where start or goal have
+    /// less or only less leads there, 2 mm at least where they have that.
     pub margin: f64,
     /// Length of the shortest path without obstacles, metres.
     pub rs_bound: f64,

@@ -107,7 +107,8 @@ export interface HybridMetrics extends PathMetrics {
   /** By how much the path is longer than `rsBound`, percent of it: no path can save more. 0 proves it the shortest. */
   gapPercent?: number;
   /**
-   * The margin planned with, metres: less than asked where start or goal have less, 2 mm where more keeps the car in.
+   * The margin planned with, metres. The path keeps it to 3 mm. It is less than asked where start or goal have less or
+   * only less leads there, 2 mm at least.
    */
   margin?: number;
   /** The parking paper's rounding. */

@@ -285,7 +285,7 @@ impl Search<'_> {
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {
             let free = if margin > MIN_MARGIN {
-                self.checker.keeps(pose, arc, VERIFY_SPACING, (margin, MARGIN_TOLERANCE))
+                self.checker.keeps_clearance(pose, arc, VERIFY_SPACING, (margin, MARGIN_TOLERANCE))
             } else {
                 self.checker.arc_free(pose, arc, VERIFY_SPACING, 0.0)
             };

@@ -118,9 +118,15 @@ impl CollisionChecker<'_> {
     /// True if the body keeps a clearance along an arc, but for a tolerance, both in metres: looked at every `spacing`
     /// metres, or less often where there is room.
     ///
-    /// This is the distance from the body to the nearest edge. The margin of the other questions is a larger body, whose
-    /// corners reach farther than that.
-    pub fn keeps(&self, from: Pose, arc: &Arc, spacing: f64, (clearance, tolerance): (f64, f64)) -> bool {
+    /// This is the distance from the body to the nearest edge. The margin of the other questions makes the body larger,
+    /// and its corners reach farther than that.
+    pub fn keeps_clearance(
+        &self,
+        from: Pose,
+        arc: &Arc,
+        spacing: f64,
+        (clearance, tolerance): (f64, f64),
+    ) -> bool {
         if !self.corridor_holds(from, arc) {
             return false;
         }

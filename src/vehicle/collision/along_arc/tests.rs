@@ -167,7 +167,7 @@ fn a_clearance_that_is_kept_is_kept_at_every_millimetre() {
             let millimetres = (arc.length.abs() * 1000.0) as u32;
             let along = |n: u32| from.advance(curvature, arc.length * f64::from(n) / f64::from(millimetres));
             let least = (0..=millimetres).map(|n| checker.clearance(along(n), 0.3)).fold(0.3, f64::min);
-            if checker.keeps(from, &arc, 0.01, (clearance, tolerance)) {
+            if checker.keeps_clearance(from, &arc, 0.01, (clearance, tolerance)) {
                 kept += u32::from(least < 0.3);
                 assert!(least >= clearance - tolerance - unseen, "{from:?} {arc:?}: {least} of {clearance}");
             } else {
