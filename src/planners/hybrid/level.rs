@@ -173,7 +173,7 @@ impl Search<'_> {
         for halvings in 0..=HALVINGS {
             let Some((arcs, status)) = self.search(finer(level, halvings), work) else { return false };
             let this = self.arrived(&arcs);
-            if let Some(arcs) = this.improved(arcs, level, halvings, work.report.margin) {
+            if let Some(arcs) = this.improved(&arcs, level, halvings, work.report.margin) {
                 let costs = this.costs();
                 work.report.cost = costs.path(self.checker, self.start, &arcs);
                 work.report.arcs = arcs;
@@ -187,13 +187,13 @@ impl Search<'_> {
 
     /// A path after the shortcut, if it passes verification. Where only the shortcut's curves do not, finer checks of
     /// these are enough.
-    fn improved(&self, arcs: Vec<Arc>, level: Level, halvings: i32, margin: f64) -> Option<Vec<Arc>> {
+    fn improved(&self, arcs: &[Arc], level: Level, halvings: i32, margin: f64) -> Option<Vec<Arc>> {
         for halvings in halvings..=HALVINGS {
-            let better = self.straightened(&arcs, finer(level, halvings), margin);
+            let better = self.straightened(arcs, finer(level, halvings), margin);
             if self.verified(&better, margin) {
                 return Some(better);
             }
-            if !self.config.shortcut || !self.verified(&arcs, margin) {
+            if !self.config.shortcut || !self.verified(arcs, margin) {
                 break;
             }
         }
