@@ -17,7 +17,6 @@
 
 use super::analytic_expansion::take_cheapest;
 use super::cost::{CostModel, Motion};
-use crate::IS_COMPLETE;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
@@ -219,9 +218,8 @@ impl<'a> Pass<'a> {
     }
 }
 
-/// True if one of some knots begins at a pose. The small module does not remember which pairs were tried: it finds the
-/// same paths with a little more work.
+/// True if one of some knots begins at a pose.
 #[inline(never)]
 fn is_among(pose: Pose, places: &[Place]) -> bool {
-    IS_COMPLETE && places.iter().any(|one| (one.pose.point() - pose.point()).norm() < SAME_PLACE)
+    places.iter().any(|one| (one.pose.point() - pose.point()).norm() < SAME_PLACE)
 }
