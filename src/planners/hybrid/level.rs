@@ -69,7 +69,7 @@ pub(super) enum First {
     Cramped,
 }
 
-/// The same level with checks that are so many times nearer to each other by half.
+/// The same level with the spacing of its checks halved so often.
 fn finer(level: Level, halvings: i32) -> Level {
     Level { spacing: level.spacing / f64::from(1 << halvings), ..level }
 }

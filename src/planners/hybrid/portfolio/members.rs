@@ -3,8 +3,8 @@
 //! The order is that of a driver's wishes: first a comfortable margin with coarse steps, then smaller margins, then
 //! finer steps, at last the searches that creep or rock out of the tightest slots. One member stands out of that
 //! order. The coarsest search with the least margin goes early, because it reaches more than any other of its level:
-//! where it ends without a path, it rules out many others at once (`outdoes`). And before the finest steps a few
-//! searches rock, as these go on for long in a slot out of which a car can only turn nearly on the spot.
+//! where it ends without a path, it rules out many others at once (`outdoes`). Before the finest steps a few searches
+//! rock: where a car gets out only by turning nearly on the spot, fine steps go on for long.
 
 use crate::IS_COMPLETE;
 use crate::planners::hybrid::config::{CHEAP_CHANGE_COST, Config, FIRST_SHUFFLING_LEVEL, Level, REFINEMENTS};
