@@ -108,7 +108,7 @@ export interface HybridMetrics extends PathMetrics {
   gapPercent?: number;
   /**
    * The margin planned with, metres. The path keeps it to 3 mm. It is less than asked where start or goal have less or
-   * only less leads there, 2 mm at least.
+   * only less leads there, 2 mm at least where they have that.
    */
   margin?: number;
   /** The parking paper's rounding. */

@@ -19,6 +19,7 @@
 //! has to be searched from until it is proven dearer.
 
 use super::config::{Config, Level};
+use super::level::{MARGIN_TOLERANCE, VERIFY_SPACING};
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{MIN_MARGIN, Query, Scratch, Search, TIGHT_CLEARANCE, Work, nearest};
 use super::report::{Report, Status};
@@ -36,8 +37,6 @@ const ROOM_TRADE: f64 = 0.97;
 /// Weight of the estimate in a search from many goals, which may cost as much more than the cheapest path: else each
 /// goal that seems a little nearer than the one taken is searched from until it is proven dearer.
 const WEIGHT: f64 = 1.03;
-/// Spacing at which a path is asked whether it keeps more margin than it was searched with, metres.
-const MARGIN_SPACING: f64 = 0.02;
 
 /// Plans a path to the cheapest of some goals, one at least; tells which. The query's own goal is ignored.
 ///
@@ -182,13 +181,12 @@ impl Many<'_> {
     }
 
     /// True if a path has so much room all the way, although less was asked of it.
-    /// Checked every two centimetres.
     fn keeps(&self, found: &Report, margin: f64) -> bool {
         let mut pose = self.start;
         found.arcs.iter().all(|arc| {
-            let is_free = self.checker.arc_free(pose, arc, MARGIN_SPACING, margin);
+            let is_kept = self.checker.keeps_clearance(pose, arc, VERIFY_SPACING, (margin, MARGIN_TOLERANCE));
             pose = pose.advance(arc.curvature, arc.length);
-            is_free
+            is_kept
         })
     }
 

@@ -37,11 +37,11 @@ use crate::search::record_best_first;
 use crate::search::{End, Limits, SearchStats, best_first};
 
 /// Spacing of the last check of a path, metres.
-const VERIFY_SPACING: f64 = 0.01;
+pub(super) const VERIFY_SPACING: f64 = 0.01;
 /// How often the spacing of a search's checks is halved where that one fails.
 const HALVINGS: i32 = 2;
 /// It may keep so much less than its margin there, metres.
-const MARGIN_TOLERANCE: f64 = 0.001;
+pub(super) const MARGIN_TOLERANCE: f64 = 0.001;
 /// Expansions from the other end, to see whether anything leads out of there.
 const OTHER_END_EXPANSIONS: u32 = 250;
 /// Expansions after which the estimate gets more weight.
