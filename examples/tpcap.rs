@@ -2,12 +2,13 @@
 //!
 //! ```sh
 //! PARKADE_DATA=folder cargo run --release --example tpcap [case or lot …] [setting=value …]
-//! PARKADE_DATA=folder cargo run --release --example tpcap fewest [setting=value …]
+//! PARKADE_DATA=folder cargo run --release --example tpcap preferred [setting=value …]
 //! PARKADE_DATA=folder cargo run --release --example tpcap json
 //! PARKADE_DATA=folder cargo run --release --example tpcap time scene
 //! ```
 //!
-//! `fewest` asks for the fewest gear changes and prints them beside those of the ordinary answer and the best known.
+//! `preferred` asks for the fewest gear changes and for the shortest path, and prints them beside those of the ordinary
+//! answer and the best known.
 //! `json` and `time`, for `cargo xtask bench parking`: these, the parking paper's rows and the tight slots with their
 //! scenes, by the usual settings and by those that the best known are compared with.
 //!
@@ -70,7 +71,7 @@ fn main() {
     match wanted.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["json"] => return print_json(&scenes),
         ["time", name] => return print_time(&scenes, name),
-        ["fewest"] => return print_fewest(&scenes, &config(&settings)),
+        ["preferred"] => return print_preferred(&scenes, &config(&settings)),
         _ => {}
     }
     if scenes.is_empty() {
@@ -153,27 +154,28 @@ fn entry(group: &str, name: &str, scene: &Scenario) -> Value {
     })
 }
 
-/// The gear changes of the ordinary answer, of the one with the fewest and of the best known, with the margins of ours.
-fn print_fewest(scenes: &[Scenario], settings: &Map<String, Value>) {
-    println!("| scene | changes | margin | fewest | margin | valid | length m | best known |");
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+/// Gear changes and lengths: of the ordinary answer, of the one with the fewest changes, of the shortest with the
+/// ordinary margin, and of the best known.
+fn print_preferred(scenes: &[Scenario], settings: &Map<String, Value>) {
+    println!(
+        "| scene | ordinary: changes | m | margin | fewest changes | m | margin | shortest: changes | m | margin | \
+         best known: changes | m | bound, m |"
+    );
+    println!("|{}", " --- |".repeat(13));
     for scene in scenes {
         let name = scene.name.clone().unwrap_or_default();
         let mut planner = Planner::new("hybrid", scene, settings).expect("valid settings");
-        let first = planner.plan(Options::default());
-        let fewest = planner.plan(Options { prefer: Some(Prefer::FewestChanges), ..Options::default() });
-        let best =
-            BEST.iter().find(|best| best.0 == name).map_or(String::from("–"), |best| best.2.to_string());
-        let margin = |plan: &Plan| plan.metrics.hybrid.as_ref().map_or(0.0, |hybrid| hybrid.margin);
-        println!(
-            "| {name} | {} | {} | {} | {} | {} | {:.2} | {best} |",
-            first.metrics.direction_changes,
-            margin(&first),
-            fewest.metrics.direction_changes,
-            margin(&fewest),
-            fewest.check.verdict.as_str(),
-            fewest.metrics.length,
-        );
+        let mut told = |prefer: Option<Prefer>| {
+            let plan = planner.plan(Options { prefer, ..Options::default() });
+            assert_eq!(plan.check.verdict, Verdict::Ok, "{name}, {prefer:?}");
+            let hybrid = plan.metrics.hybrid.as_ref().expect("a plan of hybrid A*");
+            format!("{} | {:.2} | {}", plan.metrics.direction_changes, plan.metrics.length, hybrid.margin)
+        };
+        let plans = [None, Some(Prefer::FewestChanges), Some(Prefer::Shortest)].map(&mut told).join(" | ");
+        let best = BEST.iter().find(|best| best.0 == name);
+        let best = best.map_or(String::from("– | –"), |best| format!("{} | {}", best.2, best.1));
+        let bound = run(scene, settings).1.rs_bound;
+        println!("| {name} | {plans} | {best} | {bound:.2} |");
     }
 }
 

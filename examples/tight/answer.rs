@@ -26,6 +26,8 @@ pub(crate) enum Ending {
 pub(crate) struct Answer {
     pub(crate) ending: Ending,
     pub(crate) changes: u32,
+    /// What the path costs by the settings, metres.
+    pub(crate) cost: f64,
     /// Kept free around the car, metres.
     pub(crate) margin: f64,
     pub(crate) milliseconds: f64,
@@ -50,8 +52,9 @@ impl Answer {
             _ => Ending::Failed,
         };
         let changes = arcs::direction_changes(&report.arcs);
-        let (margin, expanded, checks) = (report.margin, report.stats.expanded, report.collision_checks);
-        Self { ending, changes, margin, milliseconds, expanded, checks }
+        let (cost, margin) = (report.cost, report.margin);
+        let (expanded, checks) = (report.stats.expanded, report.collision_checks);
+        Self { ending, changes, cost, margin, milliseconds, expanded, checks }
     }
 
     pub(crate) fn is_solved(&self) -> bool {
@@ -61,9 +64,11 @@ impl Answer {
 
 impl fmt::Display for Answer {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self { changes, margin, expanded, milliseconds, .. } = self;
+        let Self { changes, cost, margin, expanded, milliseconds, .. } = self;
         match self.ending {
-            Ending::Solved => write!(f, "{changes} gear changes with {:.1} cm", margin * 100.0)?,
+            Ending::Solved => {
+                write!(f, "{changes} gear changes with {:.1} cm, cost {cost:.2} m", margin * 100.0)?;
+            }
             Ending::BoxedIn => write!(f, "boxed in")?,
             Ending::TooNarrow => write!(f, "too narrow")?,
             Ending::Searched => write!(f, "no way, searched to the end")?,

@@ -22,8 +22,9 @@
 //! near the old path, as good as the new answer to within the share asked for, and passes the caller's own check.
 
 use super::analytic_expansion::take_cheapest;
-use super::config::{Config, Level, SearchFrom};
+use super::config::{Config, SearchFrom};
 use super::cost::{CostModel, Motion};
+use super::lattices::Level;
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{Query, Scratch, Search, TIGHT_CLEARANCE, Work};
 use super::report::{Report, Status};

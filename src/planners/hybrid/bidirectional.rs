@@ -27,9 +27,9 @@ use core::borrow::Borrow;
 use core::cell::RefCell;
 
 use super::analytic_expansion::{Recorder, take_cheapest};
-use super::config::Level;
 use super::cost::CostModel;
 use super::domain::{Setting, StateLattice};
+use super::lattices::Level;
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{Search, Work};
 use super::recording::PoseRecording;

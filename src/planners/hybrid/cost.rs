@@ -23,7 +23,8 @@
 //! A gear change and a movement of the wheel belong to the joint of two arcs. That is why a state knows the arc by
 //! which it was reached, and why the cost of a path can be summed arc by arc.
 
-use super::config::{Config, Level};
+use super::config::Config;
+use super::lattices::Level;
 use super::profile::FEW_CHANGES;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::Word;

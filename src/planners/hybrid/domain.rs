@@ -30,8 +30,9 @@ mod rock;
 use core::cell::{Cell, RefCell, RefMut};
 
 use super::analytic_expansion::{Recorder, take_cheapest};
-use super::config::{Config, Heuristic, Level};
+use super::config::{Config, Heuristic};
 use super::cost::CostModel;
+use super::lattices::Level;
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::pose_heuristic::PoseHeuristic;
 use super::state::State;

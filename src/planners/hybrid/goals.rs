@@ -18,7 +18,8 @@
 //! The weight of 1.03 keeps many goals apart: without it, every goal whose estimate is a little below the best path
 //! has to be searched from until it is proven dearer.
 
-use super::config::{Config, Level};
+use super::config::Config;
+use super::lattices::Level;
 use super::level::{MARGIN_TOLERANCE, VERIFY_SPACING};
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{MIN_MARGIN, Query, Scratch, Search, TIGHT_CLEARANCE, Work, nearest};

@@ -21,12 +21,12 @@
 use core::cell::RefCell;
 
 use super::analytic_expansion::Recorder;
-use super::config::Level;
 use super::domain::{Setting, StateLattice};
+use super::lattices::Level;
 use super::profile::FEW_CHANGES;
 use super::question::{MIN_MARGIN, Search, Work};
 use super::recording::PoseRecording;
-use super::report::Status;
+use super::report::{Report, Status};
 use super::shortcut;
 use super::state::{self, State};
 use super::tree::Tree;
@@ -56,9 +56,17 @@ const FAR_REVERSE_PRICE: f64 = 5.0;
 const FAR_REVERSE_WEIGHT: f64 = 2.0;
 /// Expansions of that search for each metre that it may save.
 const FAR_REVERSE_EFFORT: f64 = 50.0;
-/// Expansions of a search for fewer gear changes, at most: so many in all, and so many for each that the path took.
-const FEWER_CHANGES_EXPANSIONS: u32 = 10_000;
+/// Expansions of a search that looks for a cheaper path, at most: so many in all, and so many for each metre that the
+/// known one costs more than any must. With a dearer gear change …
+const FEWER_CHANGES: (u32, f64) = (10_000, 200.0);
+/// (and no more than so many for each that the path took), …
 const FEWER_CHANGES_EFFORT: u32 = 2;
+/// … with half the steps, …
+const HALF_STEPS: (u32, f64) = (3000, 100.0);
+/// … and on the second level.
+const SECOND_LEVEL: (u32, f64) = (5000, 200.0);
+/// On another lattice a path may cost so many times what is left of it after the shortcut.
+const BEFORE_SHORTCUT: f64 = 1.3;
 
 /// How the first level ended.
 #[derive(Clone, Copy, PartialEq)]
@@ -67,6 +75,10 @@ pub(super) enum First {
     Failed,
     /// The other end is the one that is hard to leave.
     Cramped,
+}
+
+fn changes(work: &Work) -> u32 {
+    arcs::direction_changes(&work.report.arcs)
 }
 
 /// The same level with the spacing of its checks halved so often.
@@ -97,7 +109,7 @@ impl Search<'_> {
                     return First::Cramped;
                 }
             }
-            found = self.retry(self.patient(level), found.then_some(Status::Suboptimal), work);
+            found = self.retry(self.patient(level), 0, work);
         }
         if !found {
             return First::Failed;
@@ -128,43 +140,72 @@ impl Search<'_> {
             level.far_reverse = FAR_REVERSE_WEIGHT;
             let most = level.max_expansions.min((price * FAR_REVERSE_EFFORT) as u32);
             let before = work.report.cost;
-            this.retry(Level { max_expansions: most, ..level }, Some(work.report.status), work);
+            this.retry(Level { max_expansions: most, ..level }, 0, work);
             if work.report.cost < before {
-                return;
+                return this.with_finer_steps(weight, work);
             }
         }
         this.fewer_changes(level, work);
+        this.with_finer_steps(weight, work);
     }
 
     /// Searches once more where the path changes gear often: for one that is cheaper with the price of that.
-    fn fewer_changes(&self, level: Level, work: &mut Work) {
+    fn fewer_changes(&self, mut level: Level, work: &mut Work) {
         let price = self.config.profile.many_changes();
-        let changes = arcs::direction_changes(&work.report.arcs);
-        if price == 0.0 || changes <= FEW_CHANGES {
+        if price == 0.0 || changes(work) <= FEW_CHANGES {
             return;
         }
-        let most = FEWER_CHANGES_EXPANSIONS.min(FEWER_CHANGES_EFFORT * work.report.stats.expanded);
-        let level = Level {
-            extra_change: price,
-            max_expansions: level.max_expansions.min(most),
-            ..level.with_changes(changes)
-        };
-        let bound = self.costs().searching(&level).path(self.checker, self.start, &work.report.arcs);
-        self.retry(Level { bound, ..level }, Some(work.report.status), work);
+        level.extra_change = price;
+        let most = FEWER_CHANGES_EFFORT * work.report.stats.expanded;
+        level.max_expansions = level.max_expansions.min(most);
+        self.cheaper(level, 0, (FEWER_CHANGES, 1.0), work);
     }
 
-    /// Searches a level and keeps the cheaper answer: its own, or the earlier one, whose status is then `before`.
-    #[inline(never)]
-    fn retry(&self, level: Level, before: Option<Status>, work: &mut Work) -> bool {
-        let before = before.map(|status| (core::mem::take(&mut work.report.arcs), work.report.cost, status));
-        let again = self.level(level, work);
-        match before {
-            Some((arcs, cost, status)) if !again || cost < work.report.cost => {
-                (work.report.arcs, work.report.cost, work.report.status) = (arcs, cost, status);
-                true
-            }
-            _ => again,
+    /// Searches once more where the path changes gear twice or more: with half the steps and, where that leaves many
+    /// gear changes, on the second level. Shorter steps fit where long ones take another change. The small module does
+    /// without.
+    fn with_finer_steps(&self, weight: f64, work: &mut Work) {
+        let is_asked = IS_COMPLETE && self.config.levels() > 1 && !self.config.first_shot;
+        if !is_asked || changes(work) < FEW_CHANGES {
+            return;
         }
+        let mut level = self.config.level(0).halved();
+        (level.weight, level.connect_every) = (weight, 2);
+        self.cheaper(level, 0, (HALF_STEPS, BEFORE_SHORTCUT), work);
+        if changes(work) > FEW_CHANGES {
+            level = self.config.level(1);
+            level.extra_change = self.config.profile.many_changes();
+            self.cheaper(level, 1, (SECOND_LEVEL, BEFORE_SHORTCUT), work);
+        }
+    }
+
+    /// Searches for a cheaper path with no more gear changes. What costs `slack` times as much as the known one, by the
+    /// prices of the search, is left out.
+    #[inline(never)]
+    fn cheaper(&self, mut level: Level, number: u32, (effort, slack): ((u32, f64), f64), work: &mut Work) {
+        let root = if self.mirrored { self.goal } else { self.start };
+        let least = work.report.rs_bound.max(self.flood.distance(root));
+        let most = effort.0.min((effort.1 * (work.report.cost - least)) as u32);
+        let cost = self.costs().searching(&level).path(self.checker, self.start, &work.report.arcs);
+        level.bound = slack * cost;
+        level.max_expansions = level.max_expansions.min(most);
+        level.most_changes = changes(work).min(u32::from(u8::MAX)) as u8;
+        self.retry(level, number, work);
+    }
+
+    /// Searches a level and keeps the cheaper answer: its own, or the earlier one; tells whether there is a path.
+    #[inline(never)]
+    fn retry(&self, level: Level, number: u32, work: &mut Work) -> bool {
+        let counters = Report { level: number, margin: work.report.margin, ..work.report.counters() };
+        let known = core::mem::replace(work.report, counters);
+        let again = self.level(level, work);
+        if known.arcs.is_empty() {
+            return again;
+        }
+        if !again || known.cost < work.report.cost {
+            *work.report = work.report.with_path_of(known);
+        }
+        true
     }
 
     /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.

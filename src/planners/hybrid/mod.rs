@@ -31,6 +31,7 @@ mod flood;
 mod flood_memory;
 mod goals;
 mod holonomic;
+mod lattices;
 mod level;
 mod obstacle_heuristic;
 mod obstruction;

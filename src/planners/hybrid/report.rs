@@ -144,11 +144,13 @@ impl Report {
     }
 
     /// No path, after as much work.
+    #[inline(never)]
     pub(super) fn counters(&self) -> Self {
         Self { stats: self.stats, ..Self::empty(self.rs_bound) }
     }
 
     /// The answer of an earlier search, after as much work.
+    #[inline(never)]
     pub(super) fn with_path_of(&self, known: Self) -> Self {
         Self { stats: self.stats, ..known }
     }

@@ -4,7 +4,8 @@
 //! changes first and by length second, and one search goes through them layer by layer. `Level::bound` is P times the
 //! changes that are known, so the search ends when nothing with fewer is left.
 
-use crate::planners::hybrid::config::{Config, FIRST_SHUFFLING_LEVEL, Level};
+use crate::planners::hybrid::config::Config;
+use crate::planners::hybrid::lattices::{FIRST_SHUFFLING_LEVEL, Level};
 use crate::planners::hybrid::portfolio::COMFORTABLE_MARGIN;
 use crate::planners::hybrid::question::MIN_MARGIN;
 

@@ -6,6 +6,7 @@ use std::collections::{BinaryHeap, HashMap, HashSet};
 
 use super::super::domain::{Setting, StateLattice};
 use super::super::obstacle_heuristic::ObstacleHeuristic;
+use super::super::profile::Profile;
 use super::super::state::State;
 use super::super::state_index::StateIndex;
 use super::*;

@@ -9,8 +9,9 @@
 use core::cell::OnceCell;
 
 use crate::geometry::Pose;
-use crate::planners::hybrid::config::{Config, FIRST_SHUFFLING_LEVEL};
+use crate::planners::hybrid::config::Config;
 use crate::planners::hybrid::flood_memory::FloodMemory;
+use crate::planners::hybrid::lattices::FIRST_SHUFFLING_LEVEL;
 use crate::planners::hybrid::obstacle_heuristic::ObstacleHeuristic;
 use crate::planners::hybrid::question::{MIN_MARGIN, Query};
 

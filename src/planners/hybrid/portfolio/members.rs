@@ -7,7 +7,8 @@
 //! rock: where a car gets out only by turning nearly on the spot, fine steps go on for long.
 
 use crate::IS_COMPLETE;
-use crate::planners::hybrid::config::{CHEAP_CHANGE_COST, Config, FIRST_SHUFFLING_LEVEL, Level, REFINEMENTS};
+use crate::planners::hybrid::config::Config;
+use crate::planners::hybrid::lattices::{CHEAP_CHANGE_COST, FIRST_SHUFFLING_LEVEL, Level, REFINEMENTS};
 
 /// With less than this a car creeps, metres.
 pub(in crate::planners::hybrid) const COMFORTABLE_MARGIN: f64 = 0.03;

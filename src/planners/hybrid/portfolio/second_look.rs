@@ -14,7 +14,7 @@
 use super::floods::Floods;
 use super::members::{COMFORTABLE_MARGIN, MANY_CHANGES};
 use crate::geometry::arcs;
-use crate::planners::hybrid::config::{FIRST_SHUFFLING_LEVEL, Level};
+use crate::planners::hybrid::lattices::{FIRST_SHUFFLING_LEVEL, Level};
 use crate::planners::hybrid::profile::{FEW_CHANGES, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
