@@ -78,6 +78,27 @@ fn what_is_preferred_is_no_worse_than_the_ordinary_path_and_no_alternative_beats
 }
 
 /// Duration of the trajectory that is made of a plan, seconds.
+/// A fine lattice alone, without the estimate's extra weight, by the length and by the ordinary costs.
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn no_fine_lattice_alone_has_a_path_much_shorter_than_the_shortest() {
+    for id in ["L2", "P4", "perpendicular"] {
+        let shortest = planner(id, &json!({})).plan(by(Prefer::Shortest)).metrics.length;
+        for change in [0.0, 1.0] {
+            let settings = json!({
+                "ladder": false, "profile": "shortest", "directionChangeCost": change, "heuristicWeight": 1,
+                "xyResolution": 0.1, "headingResolution": 0.0175, "motionPrimitiveLength": 0.15, "steerSamples": 1,
+                "maxExpansions": 40_000,
+            });
+            let alone = planner(id, &settings).plan(Options::default());
+            if alone.reason.is_none() {
+                let length = alone.metrics.length;
+                assert!(shortest <= 1.005 * length, "{id}, {change}: {shortest}, {length}");
+            }
+        }
+    }
+}
+
 fn trajectory(id: &str, plan: &Plan) -> f64 {
     let path: Vec<f64> = plan.path.iter().flat_map(|p| [p.x, p.y, p.heading]).collect();
     let columns = (&path[..], Some(&plan.directions[..]), Some(&plan.curvatures[..]));

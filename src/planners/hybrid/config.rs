@@ -1,10 +1,12 @@
 //! Settings of hybrid A*, and what the named cost profiles make of them.
 
-use super::lattices::LEVEL_COUNT;
 use super::profile::Profile;
 use crate::IS_COMPLETE;
 use crate::json;
 use crate::planners::parameters::{Form, parameters, spec};
+
+/// How many levels there are.
+pub(super) const LEVEL_COUNT: u32 = 7;
 
 const ENDS: &[&str] = if IS_COMPLETE { &["goal", "start", "both"] } else { &["goal", "start"] };
 

@@ -9,7 +9,7 @@
 //! Finer levels weigh the estimate with 2 instead of 1. They have many more states, and the shortest path is not what
 //! they are for.
 
-use super::config::{Config, SearchFrom};
+use super::config::{Config, LEVEL_COUNT, SearchFrom};
 
 /// Levels from this one on are for cars that can hardly move.
 pub(super) const FIRST_SHUFFLING_LEVEL: u32 = 5;
@@ -136,9 +136,6 @@ const ROCKING_CONNECT_EVERY: u32 = 16;
 const CONNECT_DISTANCE: f64 = 5.0;
 
 const DEGREE: f64 = core::f64::consts::PI / 180.0;
-
-/// How many levels there are.
-pub(super) const LEVEL_COUNT: u32 = 7;
 
 impl Config {
     /// How many levels these settings allow.

@@ -58,7 +58,7 @@ const FAR_REVERSE_WEIGHT: f64 = 2.0;
 const FAR_REVERSE_EFFORT: f64 = 50.0;
 /// Expansions of a search that looks for a cheaper path, at most: so many in all, and so many for each metre that the
 /// known one costs more than any must. With a dearer gear change …
-const FEWER_CHANGES: (u32, f64) = (10_000, 200.0);
+const FEWER_CHANGES: (u32, f64) = (10_000, 400.0);
 /// (and no more than so many for each that the path took), …
 const FEWER_CHANGES_EFFORT: u32 = 2;
 /// … with half the steps, …
@@ -142,7 +142,7 @@ impl Search<'_> {
             let before = work.report.cost;
             this.retry(Level { max_expansions: most, ..level }, 0, work);
             if work.report.cost < before {
-                return this.with_finer_steps(weight, work);
+                return;
             }
         }
         this.fewer_changes(level, work);
@@ -196,7 +196,9 @@ impl Search<'_> {
     /// Searches a level and keeps the cheaper answer: its own, or the earlier one; tells whether there is a path.
     #[inline(never)]
     fn retry(&self, level: Level, number: u32, work: &mut Work) -> bool {
-        let counters = Report { level: number, margin: work.report.margin, ..work.report.counters() };
+        // A search that the caller ends before it begins leaves the status as it is.
+        let Report { margin, status, .. } = *work.report;
+        let counters = Report { level: number, margin, status, ..work.report.counters() };
         let known = core::mem::replace(work.report, counters);
         let again = self.level(level, work);
         if known.arcs.is_empty() {
