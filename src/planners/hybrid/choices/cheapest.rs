@@ -1,8 +1,8 @@
 //! The shortest path, the quickest, and a cheaper one.
 //!
-//! The ordinary answer is found on a coarse lattice, or by greedy searches of finer ones. Here the estimate has no extra
-//! weight, so that a search ends with the cheapest path of its lattice; and the finer the lattice, the cheaper that is.
-//! What cannot be cheaper than the first path is left out.
+//! The ordinary answer is found on a coarse lattice, or by greedy searches of finer ones. Here the estimate has no
+//! extra weight, so that a search ends with the cheapest path of its lattice; and the finer the lattice, the cheaper
+//! that is. What cannot be cheaper than the first path is left out.
 
 use super::{Goes, Run};
 use crate::planners::hybrid::config::Config;
@@ -21,8 +21,8 @@ const FINE_LEVEL: u32 = 2;
 const WINDING: f64 = 1.2;
 
 impl Run<'_, '_> {
-    /// Paths that cost less by these prices of a gear change and of turning the wheel, and nothing else: on the coarsest
-    /// lattice, with half its steps and with fine ones.
+    /// Paths that cost less by these prices of a gear change and of turning the wheel, and nothing else: on the
+    /// coarsest lattice, with half its steps and with fine ones.
     pub(super) fn cheaper(&mut self, change: f64, steer_change: f64) -> Goes {
         let config = Config {
             profile: Profile::Shortest,
