@@ -118,6 +118,25 @@ describe("a check of all bays", () => {
     checker.stop();
   });
 
+  it("is over where a worker fails, so that nothing waits for it", async () => {
+    const scene = lot(),
+      store = createStore({ scene, bays: checked() }),
+      failures: string[] = [];
+    let left = 3;
+    const failing = (): BayWorker => {
+      const worker = workers([])();
+      const ask: BayWorker["ask"] = (...question) =>
+        left-- > 0 ? worker.ask(...question) : Promise.reject(new Error("lost"));
+      return { ...worker, ask };
+    };
+    const checker = new BayChecker(store, failing, (error) => failures.push(String(error)), SEDAN, 1);
+    checker.askAll();
+    const { done, of, rows } = await settled(store);
+    expect([done, of, failures]).toEqual([rows.size, rows.size, ["Error: lost"]]);
+    expect(rows.size).toBeLessThan(scene.slots!.length);
+    checker.stop();
+  });
+
   it("asks nothing anew where only the goal has changed", () => {
     const scene = scenario("perpendicular");
     const changes = changesBetween(scene, { ...scene, goal: { x: 1, y: 1, heading: 0 } });

@@ -184,7 +184,10 @@ export class BayChecker {
         }
       } catch (error) {
         if (turn !== this.turn) return;
+        // Nobody waits for what is not asked any more.
         this.queue = [];
+        this.of -= this.pending.size;
+        this.pending.clear();
         this.failed(error);
       }
       this.timer ??= setTimeout(() => this.tell(), TELL_MS);
