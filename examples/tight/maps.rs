@@ -1,5 +1,9 @@
 //! How tight it can be: what becomes of scenes over two of their sizes.
 
+use std::num::NonZero;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use parkade::planners::hybrid::Config;
 use parkade::vehicle::Vehicle;
 use serde_json::{Value, json};
@@ -40,9 +44,23 @@ const FAMILIES: [Family; 3] = [
     },
 ];
 
-/// Every family for every car, `count` scenes a cell; every so-many-th cell only.
+/// Every family for every car, `count` scenes a cell; every so-many-th cell only. Maps are shared out to threads: a
+/// thread counts its own time.
 pub(crate) fn measure(count: u64, every: u64) -> Vec<Value> {
-    FAMILIES.iter().flat_map(|family| CARS.map(|car| map(family, car, count, every.max(1)))).collect()
+    let asked: Vec<_> = FAMILIES.iter().flat_map(|family| CARS.map(|car| (family, car))).collect();
+    let (next, maps) = (AtomicUsize::new(0), asked.iter().map(|_| OnceLock::new()).collect::<Vec<_>>());
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, NonZero::get) {
+            scope.spawn(|| {
+                loop {
+                    let at = next.fetch_add(1, Ordering::Relaxed);
+                    let Some((&(family, car), made)) = asked.get(at).zip(maps.get(at)) else { break };
+                    made.get_or_init(|| map(family, car, count, every.max(1)));
+                }
+            });
+        }
+    });
+    maps.into_iter().filter_map(OnceLock::into_inner).collect()
 }
 
 fn map(family: &Family, (car, vehicle): (&str, Vehicle), count: u64, every: u64) -> Value {
