@@ -286,10 +286,10 @@ fn a_path_keeps_the_margin_that_it_is_said_to_keep() {
     assert!(paths > 25 && near > 10, "{paths} {near}");
 }
 
-/// In bays and garages long steps take gear changes that shorter ones do not. Every other seed is the other car.
+/// In bays and garages long steps take many gear changes, and shorter ones fewer. Every other seed is the other car.
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
-fn a_path_with_gear_changes_is_bettered_by_finer_steps() {
+fn a_path_with_many_gear_changes_is_bettered_by_finer_steps() {
     let alone = Config { ladder: false, ..Config::default() };
     let kinds = tight_scenes::KINDS.into_iter().filter(|(kind, _)| ["bay", "garage"].contains(kind));
     let (mut ratios, mut saved) = (Vec::new(), 0);
@@ -301,7 +301,7 @@ fn a_path_with_gear_changes_is_bettered_by_finer_steps() {
             let answer = |config| plan(&query, &config, &mut Scratch::default(), false, &mut None);
             let coarse = answer(alone);
             let before = arcs::direction_changes(&coarse.arcs);
-            if before < 2 {
+            if before < 3 {
                 continue;
             }
             let usual = answer(Config::default());
@@ -313,5 +313,5 @@ fn a_path_with_gear_changes_is_bettered_by_finer_steps() {
     }
     let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
     println!("{} paths, {mean} of the cost, {saved} changes saved", ratios.len());
-    assert!(ratios.len() >= 20 && mean < 0.96 && saved >= 5, "{}, {mean}, {saved}", ratios.len());
+    assert!(ratios.len() >= 10 && mean < 0.93 && saved >= 5, "{}, {mean}, {saved}", ratios.len());
 }

@@ -161,19 +161,17 @@ impl Search<'_> {
         self.cheaper(level, 0, (FEWER_CHANGES, 1.0), work);
     }
 
-    /// Searches once more where the path changes gear twice or more: with half the steps and, where that leaves many
-    /// gear changes, on the second level. Shorter steps fit where long ones take another change. The small module does
-    /// without.
+    /// Searches once more where the path still changes gear often: with half the steps and, where that does not help,
+    /// on the second level. Shorter steps fit where long ones take another change. The small module does without.
     fn with_finer_steps(&self, weight: f64, work: &mut Work) {
         let is_asked = IS_COMPLETE && self.config.levels() > 1 && !self.config.first_shot;
-        if !is_asked || changes(work) < FEW_CHANGES {
-            return;
+        if is_asked && changes(work) > FEW_CHANGES {
+            let mut level = self.config.level(0).halved();
+            (level.weight, level.connect_every) = (weight, 2);
+            self.cheaper(level, 0, (HALF_STEPS, BEFORE_SHORTCUT), work);
         }
-        let mut level = self.config.level(0).halved();
-        (level.weight, level.connect_every) = (weight, 2);
-        self.cheaper(level, 0, (HALF_STEPS, BEFORE_SHORTCUT), work);
-        if changes(work) > FEW_CHANGES {
-            level = self.config.level(1);
+        if is_asked && changes(work) > FEW_CHANGES {
+            let mut level = self.config.level(1);
             level.extra_change = self.config.profile.many_changes();
             self.cheaper(level, 1, (SECOND_LEVEL, BEFORE_SHORTCUT), work);
         }
