@@ -16,7 +16,8 @@
 //! The first level spends its budget in three parts. A thousand expansions answer most questions. Where they do not,
 //! 250 expansions from the other end show whether that end is the hard one to leave. The rest is spent with the
 //! estimate times 1.3: weighted A\*, which no longer explores every detour of equal promise. Its path may cost 1.3
-//! times as much as the cheapest.
+//! times as much as the cheapest. A path with many gear changes is then held against further searches: with a dearer
+//! change, with half the steps and on the second level.
 
 use core::cell::RefCell;
 
@@ -57,14 +58,14 @@ const FAR_REVERSE_WEIGHT: f64 = 2.0;
 /// Expansions of that search for each metre that it may save.
 const FAR_REVERSE_EFFORT: f64 = 50.0;
 /// Expansions of a search that looks for a cheaper path, at most: so many in all, and so many for each metre that the
-/// known one costs more than any must. With a dearer gear change …
+/// known one costs more than any must. With a dearer gear change, …
 const FEWER_CHANGES: (u32, f64) = (10_000, 400.0);
-/// (and no more than so many for each that the path took), …
-const FEWER_CHANGES_EFFORT: u32 = 2;
 /// … with half the steps, …
 const HALF_STEPS: (u32, f64) = (3000, 100.0);
 /// … and on the second level.
 const SECOND_LEVEL: (u32, f64) = (5000, 200.0);
+/// The first of them gets no more than so many for each that the path took.
+const FEWER_CHANGES_EFFORT: u32 = 2;
 /// On another lattice a path may cost so many times what is left of it after the shortcut.
 const BEFORE_SHORTCUT: f64 = 1.3;
 
