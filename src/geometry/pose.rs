@@ -75,13 +75,24 @@ impl Pose {
 
     /// [`Pose::advance`] from a pose whose heading has this sine and cosine.
     #[must_use]
-    pub(crate) fn advance_turned(self, (s0, c0): (f64, f64), curvature: f64, length: f64) -> Self {
+    pub(crate) fn advance_turned(self, turned: (f64, f64), curvature: f64, length: f64) -> Self {
+        self.advance_turning(turned, curvature, length).0
+    }
+
+    /// [`Pose::advance_turned`], with sine and cosine of the new heading.
+    pub(crate) fn advance_turning(
+        self,
+        (s0, c0): (f64, f64),
+        curvature: f64,
+        length: f64,
+    ) -> (Self, (f64, f64)) {
         if curvature == 0.0 {
-            return Self::new(self.x + length * c0, self.y + length * s0, self.heading);
+            return (Self::new(self.x + length * c0, self.y + length * s0, self.heading), (s0, c0));
         }
         let heading = self.heading + curvature * length;
         let (s1, c1) = math::sin_cos(heading);
-        Self::new(self.x + (s1 - s0) / curvature, self.y - (c1 - c0) / curvature, math::wrap(heading))
+        let (x, y) = (self.x + (s1 - s0) / curvature, self.y - (c1 - c0) / curvature);
+        (Self::new(x, y, math::wrap(heading)), (s1, c1))
     }
 
     /// True if all three numbers are finite.

@@ -24,6 +24,7 @@
 use super::analytic_expansion::take_cheapest;
 use super::config::{Config, SearchFrom};
 use super::cost::{CostModel, Motion};
+use super::improvement;
 use super::lattices::Level;
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{Query, Scratch, Search, TIGHT_CLEARANCE, Work};
@@ -203,7 +204,7 @@ impl Old<'_> {
         let path = joining.mended(start, split(&path))?;
         let rules = shortcut::Rules { checker, costs: &self.costs, spacing: CHECK_SPACING, margin };
         let path = arcs::merge(path);
-        let path = if self.cuts { shortcut::shortcut(rules, start, path) } else { path };
+        let path = if self.cuts { improvement::improved(rules, start, path) } else { path };
         Some(self.answer(path, checker))
     }
 

@@ -23,6 +23,7 @@ use core::cell::RefCell;
 
 use super::analytic_expansion::Recorder;
 use super::domain::{Setting, StateLattice};
+use super::improvement;
 use super::lattices::Level;
 use super::profile::FEW_CHANGES;
 use super::question::{MIN_MARGIN, Search, Work};
@@ -163,17 +164,20 @@ impl Search<'_> {
     }
 
     /// Searches once more where the path still changes gear often: with half the steps and, where that does not help,
-    /// on the second level. Shorter steps fit where long ones take another change. The small module does without.
+    /// on the second level. Shorter steps fit where long ones take another change. Neither gets more expansions than the
+    /// plan took until then. The small module does without.
     fn with_finer_steps(&self, weight: f64, work: &mut Work) {
         let is_asked = IS_COMPLETE && self.config.levels() > 1 && !self.config.first_shot;
         if is_asked && changes(work) > FEW_CHANGES {
             let mut level = self.config.level(0).halved();
             (level.weight, level.connect_every) = (weight, 2);
+            level.max_expansions = level.max_expansions.min(work.report.stats.expanded);
             self.cheaper(level, 0, (HALF_STEPS, BEFORE_SHORTCUT), work);
         }
         if is_asked && changes(work) > FEW_CHANGES {
             let mut level = self.config.level(1);
             level.extra_change = self.config.profile.many_changes();
+            level.max_expansions = level.max_expansions.min(work.report.stats.expanded);
             self.cheaper(level, 1, (SECOND_LEVEL, BEFORE_SHORTCUT), work);
         }
     }
@@ -318,7 +322,7 @@ impl Search<'_> {
         }
         let costs = self.costs().with_far_reverse(level.far_reverse);
         let rules = shortcut::Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        shortcut::shortcut(rules, self.start, arcs.to_vec())
+        improvement::improved(rules, self.start, arcs.to_vec())
     }
 
     /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. The least margin is what

@@ -23,9 +23,9 @@ use crate::geometry::reeds_shepp::{self, Word};
 use crate::vehicle::collision::{CollisionChecker, Reach, Sampling};
 
 /// Arcs are split at most this far apart, metres: first coarsely, which does most of it, then finely.
-const KNOT_SPACINGS: [f64; 2] = [1.0, 0.5];
+pub(super) const KNOT_SPACINGS: [f64; 2] = [1.0, 0.5];
 /// A replacement must save at least this much.
-const MIN_GAIN: f64 = 1e-3;
+pub(super) const MIN_GAIN: f64 = 1e-3;
 /// Collision checks after which shortcutting ends: work, not time, so that the result is the same everywhere.
 const MAX_CHECKS: u32 = 400_000;
 const MAX_PASSES: u32 = 6;
@@ -49,11 +49,11 @@ pub(super) struct Rules<'a> {
 /// increase.
 ///
 /// Start and end pose stay as they are to rounding, and the cost never rises. `path` must be free by the same rules;
-/// what is not replaced is not checked again.
-pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
+/// what is not replaced is not checked again. Arcs are split by each of `spacings` in turn.
+pub(super) fn shortcut(rules: Rules, start: Pose, mut path: Vec<Arc>, spacings: &[f64]) -> Vec<Arc> {
     let limit = rules.checker.checks().saturating_add(MAX_CHECKS);
     let mut settled = Vec::new();
-    for knot in KNOT_SPACINGS {
+    for &knot in spacings {
         for _ in 0..MAX_PASSES {
             let mut pass = Pass::new(rules, start, split(&path, knot), settled);
             let mut known = pass.places.clone();

@@ -48,8 +48,14 @@ impl CollisionChecker<'_> {
     /// The end is tested first: it is the farthest from what is known to be free. Where the body has room, the poses
     /// that the room covers are free without a test.
     pub fn arc_free(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> bool {
+        self.hit_along(from, arc, spacing, margin).is_none()
+    }
+
+    /// Where the body with `margin` around it meets something on an arc, metres from its beginning, with its sign: the
+    /// place that is found first, by the tests of [`CollisionChecker::arc_free`].
+    pub fn hit_along(&self, from: Pose, arc: &Arc, spacing: f64, margin: f64) -> Option<f64> {
         if !self.corridor_holds(from, arc) {
-            return false;
+            return Some(arc.length);
         }
         let steps = (arc.length.abs() / spacing).ceil().max(1.0);
         let part = arc.length / steps;
@@ -64,14 +70,15 @@ impl CollisionChecker<'_> {
             disc_step: part.abs() * self.max_disc_speed(arc.curvature),
         };
         let mut checks = 0;
-        let free = self.free_far_apart(&samples, steps as u32, &mut checks)
-            && self.free_one_by_one(&samples, steps as u32, &mut checks);
+        let hit = self
+            .hit_far_apart(&samples, steps as u32, &mut checks)
+            .or_else(|| self.hit_one_by_one(&samples, steps as u32, &mut checks));
         self.count(checks);
-        free
+        hit.map(|number| part * f64::from(number))
     }
 
     /// Looks at places far apart: what is in the way of a long arc is found soonest there.
-    fn free_far_apart(&self, samples: &Samples, last: u32, checks: &mut u32) -> bool {
+    fn hit_far_apart(&self, samples: &Samples, last: u32, checks: &mut u32) -> Option<u32> {
         let mut far = last;
         while far > STRIDE {
             far -= STRIDE;
@@ -79,15 +86,15 @@ impl CollisionChecker<'_> {
             let place = samples.at(far, samples.turned(far));
             let spare = self.spare(place, samples.radius);
             if spare <= 0.0 && self.exact(place, samples.margin - CONTACT).is_some() {
-                return false;
+                return Some(far);
             }
             far = far.saturating_sub((spare / samples.disc_step) as u32);
         }
-        true
+        None
     }
 
     /// Looks at all poses that are not known to be free, from the last to the second.
-    fn free_one_by_one(&self, samples: &Samples, last: u32, checks: &mut u32) -> bool {
+    fn hit_one_by_one(&self, samples: &Samples, last: u32, checks: &mut u32) -> Option<u32> {
         let body_step = samples.part.abs() * self.max_body_speed(samples.curvature, samples.margin);
         // Poses from this one on are known to be free.
         let mut known = u32::MAX;
@@ -98,12 +105,12 @@ impl CollisionChecker<'_> {
             *checks += 1;
             let spare = self.spare(place, samples.radius);
             if spare <= 0.0 && k < known {
-                let Some(gap) = self.gap(place, samples.margin - CONTACT) else { return false };
+                let Some(gap) = self.gap(place, samples.margin - CONTACT) else { return Some(k) };
                 known = k.saturating_sub((gap / body_step) as u32);
             }
             let settled = ((spare / samples.disc_step) as u32).saturating_add(1);
             if settled >= k {
-                return true;
+                return None;
             }
             k -= settled;
             (sin, cos) = if settled == 1 && samples.turn != 0.0 {

@@ -1,0 +1,32 @@
+//! A path made cheaper without another search: curves between its knots, and other lengths of its arcs.
+//!
+//! The shortcut replaces stretches of what a lattice led through; the descent moves what lies between. Each opens ways
+//! for the other, so where the descent has gained much, both are tried once more.
+
+use super::descent;
+use super::shortcut::{self, KNOT_SPACINGS, Rules};
+use crate::IS_COMPLETE;
+use crate::geometry::Pose;
+use crate::geometry::arcs::Arc;
+
+/// A path that the descent makes no cheaper than by this factor is left at that.
+const SETTLED: f64 = 0.99;
+
+/// A path of arcs from `start`, made cheaper. Gear changes never increase.
+///
+/// Start and end pose stay as they are to rounding, and the cost never rises. `path` must be free by the same rules;
+/// what is not replaced is not checked again. The small module has no descent.
+pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>) -> Vec<Arc> {
+    let path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS);
+    if !IS_COMPLETE {
+        return path;
+    }
+    let cost = |path: &[Arc]| rules.costs.path(rules.checker, start, path);
+    let before = cost(&path);
+    let path = descent::descend(rules, start, path);
+    if cost(&path) > SETTLED * before {
+        return path;
+    }
+    let path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS[..1]);
+    descent::descend(rules, start, path)
+}
