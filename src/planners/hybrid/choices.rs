@@ -319,7 +319,9 @@ impl Run<'_, '_> {
     fn with_margin(&mut self, margin: usize) -> Goes<bool> {
         let config = *self.search.config;
         for (number, most) in (0..config.levels()).zip(WIDER_EXPANSIONS) {
-            if self.attempt(&config, (config.level(number), number, most), margin, false)? {
+            // The descent would give away what a path keeps beyond its margin.
+            let level = Level { descends: false, ..config.level(number) };
+            if self.attempt(&config, (level, number, most), margin, false)? {
                 return Goes::Continue(true);
             }
         }

@@ -125,6 +125,11 @@ impl CostModel {
         self.change
     }
 
+    /// True if places near obstacles cost more.
+    pub(super) fn shuns_obstacles(&self) -> bool {
+        self.obstacle != 0.0
+    }
+
     /// True if the car drives this arc of the tree in reverse.
     fn in_reverse(&self, arc: &Arc) -> bool {
         (arc.length < 0.0) != self.mirrored

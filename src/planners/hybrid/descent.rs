@@ -182,7 +182,7 @@ impl<'a> Path<'a> {
 
     /// Changes the lengths of the arcs from `first` on by a step in a direction, if that is free and costs less. Three
     /// of them close the path.
-    fn attempt(&mut self, first: usize, change: &mut [f64], mut three: [usize; 3], step: f64) -> bool {
+    fn attempt(&mut self, first: usize, change: &mut [f64], three: [usize; 3], step: f64) -> bool {
         self.attempts += 1;
         let (count, end) = (change.len(), self.stands[first + change.len()]);
         let mut miss = [0.0; 3];
@@ -199,16 +199,23 @@ impl<'a> Path<'a> {
             let metre = Arc { length: 1.0_f64.copysign(arc.length), ..arc };
             sum + change * metre.length * self.rules.costs.arc(Motion::after(&arc), &metre)
         });
-        // The largest step, against the slope.
-        let (mut far, mut vanishes) = (-slope.signum() * step / most, None);
+        let far = -slope.signum() * step / most;
+        if self.rules.costs.shuns_obstacles() {
+            return self.advance(first, change, three, far) || self.advance(first, change, three, -far);
+        }
+        slope.abs() >= MIN_SLOPE * most && self.advance(first, change, three, far)
+    }
+
+    /// Changes the lengths of the arcs from `first` on `far` in a direction, or until one vanishes, if that is free and
+    /// costs less.
+    fn advance(&mut self, first: usize, change: &[f64], mut three: [usize; 3], mut far: f64) -> bool {
+        let count = change.len();
+        let mut vanishes = None;
         for (n, change) in change.iter().enumerate() {
             let length = self.arcs[first + n].length;
             if length * change * far < 0.0 && length.abs() < (far * change).abs() {
                 (far, vanishes) = (-length / change, Some(n));
             }
-        }
-        if slope.abs() < MIN_SLOPE * most || (far * slope).abs() < MIN_GAIN {
-            return false;
         }
         let mut next = [Arc { curvature: 0.0, length: 0.0 }; STRETCH];
         let next = &mut next[..count];
@@ -265,12 +272,13 @@ impl<'a> Path<'a> {
     fn take(&mut self, first: usize, next: &[Arc], stands: &[Stand], is_shorter: bool) -> bool {
         let end = first + next.len();
         let saved = self.driving(first, &self.arcs[first..end]) - self.driving(first, next);
-        if saved <= MIN_GAIN || !self.is_free(first, next, stands) {
+        let shuns_obstacles = self.rules.costs.shuns_obstacles();
+        if (saved <= MIN_GAIN && !shuns_obstacles) || !self.is_free(first, next, stands) {
             return false;
         }
         let places = self.places_of(next, stands);
         let sum = |places: &[f64]| places.iter().fold(0.0, |sum, one| sum + one);
-        if sum(&places) - sum(&self.places[first..end]) >= saved {
+        if saved + sum(&self.places[first..end]) - sum(&places) <= MIN_GAIN {
             return false;
         }
         self.arcs[first..end].copy_from_slice(next);

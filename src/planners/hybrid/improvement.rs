@@ -15,10 +15,11 @@ const SETTLED: f64 = 0.99;
 /// A path of arcs from `start`, made cheaper. Gear changes never increase.
 ///
 /// Start and end pose stay as they are to rounding, and the cost never rises. `path` must be free by the same rules;
-/// what is not replaced is not checked again. The small module has no descent.
-pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>) -> Vec<Arc> {
+/// what is not replaced is not checked again. Without the descent a path stays as far from obstacles as its curves lead.
+/// The small module has none.
+pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, descends: bool) -> Vec<Arc> {
     let path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS);
-    if !IS_COMPLETE {
+    if !IS_COMPLETE || !descends {
         return path;
     }
     let cost = |path: &[Arc]| rules.costs.path(rules.checker, start, path);

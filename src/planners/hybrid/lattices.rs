@@ -51,6 +51,8 @@ pub(super) struct Level {
     pub(super) rock: f64,
     /// True if two trees grow, one from each end.
     pub(super) is_from_both: bool,
+    /// True if arcs of its paths may change their lengths until they keep no more than the margin.
+    pub(super) descends: bool,
 }
 
 impl Level {
@@ -176,6 +178,7 @@ impl Config {
             shuffle,
             rock: 0.0,
             is_from_both: self.search_from == SearchFrom::Both,
+            descends: true,
         };
         if shuffle {
             return level;

@@ -83,6 +83,11 @@ fn changes(work: &Work) -> u32 {
     arcs::direction_changes(&work.report.arcs)
 }
 
+/// Expansions of a search with finer steps: as many as the plan took, for each gear change beyond a few.
+fn finer_steps_effort(work: &Work) -> u32 {
+    work.report.stats.expanded.saturating_mul(changes(work).saturating_sub(FEW_CHANGES))
+}
+
 /// The same level with the spacing of its checks halved so often.
 fn finer(level: Level, halvings: i32) -> Level {
     Level { spacing: level.spacing / f64::from(1 << halvings), ..level }
@@ -164,20 +169,20 @@ impl Search<'_> {
     }
 
     /// Searches once more where the path still changes gear often: with half the steps and, where that does not help,
-    /// on the second level. Shorter steps fit where long ones take another change. Neither gets more expansions than the
-    /// plan took until then. The small module does without.
+    /// on the second level. Shorter steps fit where long ones take another change. The more of them there are, the more
+    /// work that is worth. The small module does without.
     fn with_finer_steps(&self, weight: f64, work: &mut Work) {
         let is_asked = IS_COMPLETE && self.config.levels() > 1 && !self.config.first_shot;
         if is_asked && changes(work) > FEW_CHANGES {
             let mut level = self.config.level(0).halved();
             (level.weight, level.connect_every) = (weight, 2);
-            level.max_expansions = level.max_expansions.min(work.report.stats.expanded);
+            level.max_expansions = level.max_expansions.min(finer_steps_effort(work));
             self.cheaper(level, 0, (HALF_STEPS, BEFORE_SHORTCUT), work);
         }
         if is_asked && changes(work) > FEW_CHANGES {
             let mut level = self.config.level(1);
             level.extra_change = self.config.profile.many_changes();
-            level.max_expansions = level.max_expansions.min(work.report.stats.expanded);
+            level.max_expansions = level.max_expansions.min(finer_steps_effort(work));
             self.cheaper(level, 1, (SECOND_LEVEL, BEFORE_SHORTCUT), work);
         }
     }
@@ -322,7 +327,7 @@ impl Search<'_> {
         }
         let costs = self.costs().with_far_reverse(level.far_reverse);
         let rules = shortcut::Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        improvement::improved(rules, self.start, arcs.to_vec())
+        improvement::improved(rules, self.start, arcs.to_vec(), level.descends)
     }
 
     /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. The least margin is what
