@@ -19,10 +19,12 @@ test("chips under hybrid's title show other paths and choose them; the link keep
     element.scene = "L2";
   });
   await settled(page);
-  const ordinary = await playground.evaluate(shown);
   await expect(page.locator(chips).first()).toBeVisible({ timeout: 20_000 });
+  // The search for other paths may have bettered the first answer.
+  const ordinary = await playground.evaluate(shown);
   const fewest = page.locator(chips, { hasText: /· 0$/ });
-  await expect(page.locator(chips).and(page.locator("[aria-pressed=true]"))).toHaveText(/23\.3 m · 1/);
+  const pressed = page.locator(chips).and(page.locator("[aria-pressed=true]"));
+  await expect(pressed).toHaveText(new RegExp(`${ordinary[0].toFixed(1)} m · ${ordinary[1]}`));
   // Pointed at, a path is only looked at.
   await fewest.hover();
   await expect
@@ -36,8 +38,8 @@ test("chips under hybrid's title show other paths and choose them; the link keep
   await fewest.click();
   await expect.poll(async () => (await playground.evaluate(shown))[1]).toBe(0);
   await expect(fewest).toHaveAttribute("aria-pressed", "true");
-  await expect(page.locator(chips).and(page.locator("[aria-pressed=true]"))).toHaveText(/52\.9 m · 0/);
   const chosen = await playground.evaluate(shown);
+  await expect(pressed).toHaveText(new RegExp(`${chosen[0].toFixed(1)} m · 0`));
   const link = await playground.evaluate(
     (element: PlaygroundElement) => (element as Untyped).app.links.address(true) as Promise<string>,
   );
