@@ -239,8 +239,8 @@ impl<'a> Path<'a> {
         keeps_gears && self.take(first, next, stands, vanishes.is_some())
     }
 
-    /// Changes the lengths of three arcs so that some in place of those from `first` on lead to the same end, and renews
-    /// where they begin and end. Tells whether they do, and do not hit something where others did.
+    /// Changes the lengths of three arcs so that some in place of those from `first` on lead to the same end, and
+    /// renews where they begin and end. Tells whether they do, and do not hit something where others did.
     fn close(&mut self, first: usize, arcs: &mut [Arc], stands: &mut [Stand], three: [usize; 3]) -> bool {
         let to = self.stands[first + arcs.len()].pose;
         let mut is_checked = false;

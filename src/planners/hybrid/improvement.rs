@@ -15,8 +15,8 @@ const SETTLED: f64 = 0.99;
 /// A path of arcs from `start`, made cheaper. Gear changes never increase.
 ///
 /// Start and end pose stay as they are to rounding, and the cost never rises. `path` must be free by the same rules;
-/// what is not replaced is not checked again. Without the descent a path stays as far from obstacles as its curves lead.
-/// The small module has none.
+/// what is not replaced is not checked again. Without the descent a path stays as far from obstacles as its curves
+/// lead. The small module has none.
 pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, descends: bool) -> Vec<Arc> {
     let path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS);
     if !IS_COMPLETE || !descends {
