@@ -379,3 +379,6 @@ fn triples(begin: usize, end: usize) -> impl Iterator<Item = [usize; 3]> {
     let pairs = (begin..end).flat_map(move |i| (i + 1..end).map(move |j| [i, j]));
     pairs.flat_map(move |[i, j]| (j + 1..end).map(move |k| [i, j, k]))
 }
+
+#[cfg(test)]
+mod tests;
