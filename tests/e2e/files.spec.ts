@@ -42,6 +42,11 @@ test("pictures come at one and two pixels for each on the screen", async ({ page
 test("a saved drawing opens again as the scene it shows", async ({ page }) => {
   const complaints = complaintsOf(page);
   await open(page);
+  // The complete module's paths are shorter than those of the first picture.
+  await page.waitForFunction(
+    () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
+  );
+  await settled(page);
   const before = await sceneOf(page),
     hashes = await hashesOf(page);
   const { name, bytes } = await exported(page, "SVG drawing (can be reopened)");
