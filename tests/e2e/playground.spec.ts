@@ -10,6 +10,7 @@ import {
   open,
   sceneOf,
   settled,
+  whole,
   watchShifts,
   type PlaygroundElement,
 } from "./playground.js";
@@ -95,6 +96,7 @@ test("a planner whose module cannot be loaded says so, and the others stay", asy
 
 test("dragging the goal changes every planner's answer, and undo brings them back", async ({ page }) => {
   await open(page);
+  await whole(page);
   const before = await hashesOf(page);
   const scene = await sceneOf(page);
   await page.evaluate(() => {
