@@ -1,13 +1,15 @@
 //! A path made cheaper without another search: curves between its knots, and other lengths of its arcs.
 //!
 //! The shortcut replaces stretches of what a lattice led through; the descent moves what lies between. Each opens ways
-//! for the other, so where the descent has gained much, both are tried once more.
+//! for the other, so where the descent has gained much, both are tried once more. A path with hardly a gear change is
+//! left to the shortcut: there is little to move.
 
 use super::descent;
+use super::profile::FEW_CHANGES;
 use super::shortcut::{self, KNOT_SPACINGS, Rules};
 use crate::IS_COMPLETE;
 use crate::geometry::Pose;
-use crate::geometry::arcs::Arc;
+use crate::geometry::arcs::{self, Arc};
 
 /// A path that the descent makes no cheaper than by this factor is left at that.
 const SETTLED: f64 = 0.99;
@@ -19,7 +21,7 @@ const SETTLED: f64 = 0.99;
 /// lead. The small module has none.
 pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, descends: bool) -> Vec<Arc> {
     let path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS);
-    if !IS_COMPLETE || !descends {
+    if !IS_COMPLETE || !descends || arcs::direction_changes(&path) < FEW_CHANGES {
         return path;
     }
     let cost = |path: &[Arc]| rules.costs.path(rules.checker, start, path);
