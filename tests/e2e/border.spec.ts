@@ -1,7 +1,16 @@
 import { expect, test, type Page } from "@playwright/test";
 import type { Scenario } from "parkade";
 import { drag, fillLot, fingers, openLot, type Spot } from "./hands.js";
-import { complaintsOf, hashesOf, onScreen, open, sceneOf, settled, whole, type PlaygroundElement } from "./playground.js";
+import {
+  complaintsOf,
+  hashesOf,
+  onScreen,
+  open,
+  sceneOf,
+  settled,
+  whole,
+  type PlaygroundElement,
+} from "./playground.js";
 
 /** Both cars well inside, so that every side has room. */
 const YARD: Partial<Scenario> = { start: { x: 12, y: 12, heading: 0 }, goal: { x: 24, y: 18, heading: 0 } };

@@ -10,8 +10,8 @@ import {
   open,
   sceneOf,
   settled,
-  whole,
   watchShifts,
+  whole,
   type PlaygroundElement,
 } from "./playground.js";
 
