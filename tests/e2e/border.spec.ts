@@ -1,16 +1,7 @@
 import { expect, test, type Page } from "@playwright/test";
 import type { Scenario } from "parkade";
 import { drag, fillLot, fingers, openLot, type Spot } from "./hands.js";
-import {
-  complaintsOf,
-  hashesOf,
-  onScreen,
-  open,
-  sceneOf,
-  settled,
-  whole,
-  type PlaygroundElement,
-} from "./playground.js";
+import { complaintsOf, hashesOf, onScreen, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
 
 /** Both cars well inside, so that every side has room. */
 const YARD: Partial<Scenario> = { start: { x: 12, y: 12, heading: 0 }, goal: { x: 24, y: 18, heading: 0 } };
@@ -95,7 +86,7 @@ test.describe("with a mouse", () => {
     await page.evaluate(() =>
       document.querySelector<PlaygroundElement>("parkade-playground")!.store.set({ camera: null }),
     );
-    await whole(page);
+    await settled(page);
     await page.evaluate(() => new Promise(requestAnimationFrame));
     const before = await sceneOf(page),
       hashes = await hashesOf(page),

@@ -1,5 +1,5 @@
 import { expect, test, type Page } from "@playwright/test";
-import { complaintsOf, hashesOf, open, sceneOf, settled, whole, type PlaygroundElement } from "./playground";
+import { complaintsOf, hashesOf, open, sceneOf, settled, type PlaygroundElement } from "./playground";
 
 const outcomes = (page: Page) =>
   page.evaluate(() =>
@@ -175,11 +175,10 @@ test("a trap inside a planner is said, and a new worker answers; the scene stays
   await expect.poll(() => outcomes(page), { timeout: 30_000 }).toEqual(FOUND);
   expect(asked).toBeGreaterThan(2);
   expect(await sceneOf(page)).toEqual(scene);
-  await whole(page);
   const hashes = await hashesOf(page);
   await page.reload();
   await page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.ready);
-  await whole(page);
+  await settled(page);
   expect(await hashesOf(page)).toEqual(hashes);
   // The whole module's workers may still be coming.
   await page.unrouteAll({ behavior: "ignoreErrors" });

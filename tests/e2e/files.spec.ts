@@ -1,6 +1,6 @@
 import { readFile } from "node:fs/promises";
 import { expect, test, type Page } from "@playwright/test";
-import { complaintsOf, hashesOf, open, sceneOf, settled, whole, type PlaygroundElement } from "./playground.js";
+import { complaintsOf, hashesOf, open, sceneOf, settled, type PlaygroundElement } from "./playground.js";
 
 test.use({ viewport: { width: 1400, height: 900 } });
 
@@ -42,7 +42,6 @@ test("pictures come at one and two pixels for each on the screen", async ({ page
 test("a saved drawing opens again as the scene it shows", async ({ page }) => {
   const complaints = complaintsOf(page);
   await open(page);
-  await whole(page);
   const before = await sceneOf(page),
     hashes = await hashesOf(page);
   const { name, bytes } = await exported(page, "SVG drawing (can be reopened)");

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
 import { init, scenario } from "../../pkg/node.js";
-import { answered, open, whole, type PlaygroundElement } from "./playground";
+import { answered, open, settled, type PlaygroundElement } from "./playground";
 
 const file = new URL("../data/plan-hashes.json", import.meta.url);
 const expected = JSON.parse(readFileSync(file, "utf8")) as Record<string, Record<string, string>>;
@@ -10,7 +10,7 @@ test("every planner's plan on every preset has the native hash in the browser", 
   test.setTimeout(120_000);
   await init();
   await open(page);
-  await whole(page);
+  await settled(page);
   for (const [id, hashes] of Object.entries(expected)) {
     const scene = scenario(id);
     await page.evaluate(

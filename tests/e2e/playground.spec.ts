@@ -11,7 +11,6 @@ import {
   sceneOf,
   settled,
   watchShifts,
-  whole,
   type PlaygroundElement,
 } from "./playground.js";
 
@@ -96,7 +95,6 @@ test("a planner whose module cannot be loaded says so, and the others stay", asy
 
 test("dragging the goal changes every planner's answer, and undo brings them back", async ({ page }) => {
   await open(page);
-  await whole(page);
   const before = await hashesOf(page);
   const scene = await sceneOf(page);
   await page.evaluate(() => {

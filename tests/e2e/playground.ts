@@ -67,14 +67,6 @@ export async function open(page: Page, hash = ""): Promise<void> {
   });
 }
 
-/** Waits until the complete module has planned; its paths may be shorter than those of the first picture. */
-export async function whole(page: Page): Promise<void> {
-  await page.waitForFunction(
-    () => document.querySelector<PlaygroundElement>("parkade-playground")!.store.state.complete,
-  );
-  await settled(page);
-}
-
 export function settled(page: Page): Promise<void> {
   return page.evaluate(() => document.querySelector<PlaygroundElement>("parkade-playground")!.settled());
 }

@@ -150,23 +150,29 @@ impl<'a> Path<'a> {
         let mut first = 0;
         // Four arcs have no directions but the edge.
         while first + 5 <= self.arcs.len() {
+            let mut three = None;
             for _ in 0..RANDOM_DIRECTIONS {
                 let count = STRETCH.min(self.arcs.len().saturating_sub(first));
                 if count < 5 {
                     break;
                 }
                 let mut change = [(); STRETCH].map(|()| self.random());
-                let columns: Vec<Column> =
-                    (first..first + count).map(|n| self.column(self.stands[first + count], n)).collect();
-                let span = |[i, j, k]: [usize; 3]| volume(columns[i], columns[j], columns[k]).abs();
-                let wider = |best, three| if span(three) > span(best) { three } else { best };
-                let three = triples(0, count).fold([0, 1, 2], wider);
-                is_better |=
-                    self.attempts < MAX_ATTEMPTS && self.attempt(first, &mut change[..count], three, step);
+                let closing = *three.get_or_insert_with(|| self.widest_three(first, count));
+                if self.attempts < MAX_ATTEMPTS && self.attempt(first, &mut change[..count], closing, step) {
+                    (is_better, three) = (true, None);
+                }
             }
             first += STRETCH / 2;
         }
         is_better
+    }
+
+    /// The three of some arcs whose columns span most: they close the path best.
+    fn widest_three(&self, first: usize, count: usize) -> [usize; 3] {
+        let end = self.stands[first + count];
+        let columns: Vec<Column> = (first..first + count).map(|n| self.column(end, n)).collect();
+        let span = |[i, j, k]: [usize; 3]| volume(columns[i], columns[j], columns[k]).abs();
+        triples(0, count).fold([0, 1, 2], |best, three| if span(three) > span(best) { three } else { best })
     }
 
     /// True if one of some arcs was moved in this round or the one before, and attempts are left.

@@ -1,8 +1,8 @@
 //! A path made cheaper without another search: curves between its knots, and other lengths of its arcs.
 //!
 //! The shortcut replaces stretches of what a lattice led through; the descent moves what lies between. Each opens ways
-//! for the other, so where the descent has gained much, both are tried once more. A path with hardly a gear change is
-//! left to the shortcut: there is little to move.
+//! for the other, so where the descent has gained much, both are tried once more. A path with fewer than two gear
+//! changes is left to the shortcut: there is little to move, and so both modules plan every built-in scene alike.
 
 use super::descent;
 use super::profile::FEW_CHANGES;

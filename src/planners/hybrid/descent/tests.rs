@@ -18,7 +18,7 @@ fn ground(size: f64, posts: &[(f64, f64)]) -> Obstacles {
 }
 
 /// Winding paths with a gear change, by seed, among posts: the end stays, the path is free, has no more gear changes
-/// and costs less, a tenth in the mean.
+/// and costs less than half of it in the mean.
 #[test]
 fn winding_paths_become_cheaper_and_keep_end_gears_and_margin() {
     let car = Vehicle::SEDAN;
@@ -65,7 +65,8 @@ fn winding_paths_become_cheaper_and_keep_end_gears_and_margin() {
         assert!(after <= before, "{before} {after}");
         (paths, ratios) = (paths + 1, ratios + after / before);
     }
-    assert!(paths > 50 && ratios / f64::from(paths) < 0.9, "{paths} paths, {}", ratios / f64::from(paths));
+    println!("{paths} paths, {} of the cost", ratios / f64::from(paths));
+    assert!(paths > 50 && ratios / f64::from(paths) < 0.5, "{paths} paths, {}", ratios / f64::from(paths));
 }
 
 /// Lengths that three columns make up, and none where two columns are one.
