@@ -175,7 +175,11 @@ impl Run {
         }
         let is_sample = (seed / CARS.len() as u64).is_multiple_of(WORK_EVERY);
         if self.has_work && is_sample && answer.is_solved() {
-            tally.work.push(members::work(&scene, &answer));
+            let work = members::work(&scene, &answer);
+            if self.is_verbose {
+                println!("work {work:.2}: {}, seed {seed}: {answer}", scene.name);
+            }
+            tally.work.push(work);
         }
         tally.answers.push(answer);
     }
