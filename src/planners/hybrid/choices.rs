@@ -64,7 +64,7 @@ const FINE_LAYERS_WEIGHT: f64 = 2.0;
 /// A car that creeps into a slot keeps this much, metres: with it all lattices are searched from both ends.
 const CREEPING_MARGIN: f64 = 0.01;
 /// The shortcut may take so many gear changes more out of a path than must be saved.
-const BEFORE_SHORTCUT: u32 = 2;
+const BEFORE_SHORTCUT: u32 = 4;
 /// The level that is searched with and without room for the shortcut from the start, too.
 const SWAPPED_TWICE: u32 = 2;
 /// Expansions of each such search.

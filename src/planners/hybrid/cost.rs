@@ -125,6 +125,11 @@ impl CostModel {
         self.change
     }
 
+    /// What so many gear changes of a path cost beside their price.
+    pub(super) fn many_changes(&self, changes: u32) -> f64 {
+        self.many_changes * f64::from(changes.saturating_sub(FEW_CHANGES))
+    }
+
     /// True if places near obstacles cost more.
     pub(super) fn shuns_obstacles(&self) -> bool {
         self.obstacle != 0.0
@@ -200,8 +205,7 @@ impl CostModel {
     /// What a report's cost is: every term, sampled afresh along the path as driven.
     pub(super) fn path(&self, checker: &CollisionChecker, start: Pose, arcs: &[Arc]) -> f64 {
         let (mut pose, mut before) = (start, Motion::default());
-        let many = arcs::direction_changes(arcs).saturating_sub(FEW_CHANGES);
-        let mut cost = self.many_changes * f64::from(many);
+        let mut cost = self.many_changes(arcs::direction_changes(arcs));
         for arc in arcs {
             cost += self.arc(before, arc) + self.places(checker, pose, arc);
             before = Motion::after(arc);

@@ -1,18 +1,21 @@
-//! A path made cheaper without another search: curves between its knots, and other lengths of its arcs.
+//! A path made cheaper without another search: curves between its knots, other lengths of its arcs, longer moves.
 //!
-//! The shortcut replaces stretches of what a lattice led through; the descent moves what lies between. Each opens ways
-//! for the other, so where the descent has gained much, both are tried once more. A path with fewer than two gear
-//! changes is left to the shortcut: there is little to move, and so both modules plan every built-in scene alike.
+//! The shortcut replaces stretches of what a lattice led through; the descent moves what lies between; longer moves
+//! leave some out. Each opens ways for the others, so they follow in rounds until one gains little. A path with fewer
+//! than two gear changes is left to the shortcut: there is little to move, and so both modules plan every built-in
+//! scene alike.
 
-use super::descent;
 use super::profile::FEW_CHANGES;
 use super::shortcut::{self, KNOT_SPACINGS, Rules};
+use super::{descent, longer_moves};
 use crate::IS_COMPLETE;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 
-/// A path that the descent makes no cheaper than by this factor is left at that.
+/// A path that a round makes no cheaper than by this factor is left at that, …
 const SETTLED: f64 = 0.99;
+/// … and any after so many rounds.
+const MAX_ROUNDS: u32 = 6;
 
 /// A path of arcs from `start`, made cheaper. Gear changes never increase.
 ///
@@ -20,16 +23,20 @@ const SETTLED: f64 = 0.99;
 /// what is not replaced is not checked again. Without the descent a path stays as far from obstacles as its curves
 /// lead. The small module has none.
 pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, descends: bool) -> Vec<Arc> {
-    let path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS);
+    let mut path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS);
     if !IS_COMPLETE || !descends || arcs::direction_changes(&path) < FEW_CHANGES {
         return path;
     }
     let cost = |path: &[Arc]| rules.costs.path(rules.checker, start, path);
-    let before = cost(&path);
-    let path = descent::descend(rules, start, path);
-    if cost(&path) > SETTLED * before {
-        return path;
+    let mut before = cost(&path);
+    for _ in 0..MAX_ROUNDS {
+        path = longer_moves::lengthen(rules, start, descent::descend(rules, start, path));
+        let after = cost(&path);
+        if after > SETTLED * before {
+            break;
+        }
+        path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS[..1]);
+        before = after;
     }
-    let path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS[..1]);
-    descent::descend(rules, start, path)
+    path
 }

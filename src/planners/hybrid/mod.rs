@@ -35,6 +35,7 @@ mod holonomic;
 mod improvement;
 mod lattices;
 mod level;
+mod longer_moves;
 mod obstacle_heuristic;
 mod obstruction;
 mod portfolio;
@@ -44,6 +45,7 @@ mod question;
 mod recording;
 mod report;
 mod rivals;
+
 mod shortcut;
 mod state;
 mod state_index;

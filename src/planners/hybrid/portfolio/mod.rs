@@ -16,6 +16,7 @@
 //! are dropped unasked.
 
 mod floods;
+mod known_paths;
 mod members;
 mod open_space;
 mod second_look;

@@ -12,6 +12,7 @@
 //! searches with its own margin.
 
 use super::floods::Floods;
+use super::known_paths::changes_to_save;
 use super::members::{COMFORTABLE_MARGIN, MANY_CHANGES};
 use crate::geometry::arcs;
 use crate::planners::hybrid::lattices::{FIRST_SHUFFLING_LEVEL, Level};
@@ -29,14 +30,10 @@ const FINE_EXPANSIONS: u32 = 40_000;
 const FINEST_EXPANSIONS: u32 = 24_000;
 /// The level that is refined, and which of the refined lattices is taken: the one with the smallest cells.
 const FINEST: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
-/// Less margin must save so many gear changes where there are few: more room is not to mean more changes.
-const SAVED_FOR_MARGIN: u32 = 2;
-/// The shortcut may save one of so many gear changes where there are many.
-const SHORTCUT_SHARE: u32 = 8;
-/// On a coarse lattice a path may cost so many times what is left of it after the shortcut.
-const BEFORE_SHORTCUT: f64 = 1.6;
 /// Lattices with larger cells are coarse, metres.
 const COARSE: f64 = 0.06;
+/// A path may cost so many times what is left of it after the shortcut.
+const BEFORE_SHORTCUT: f64 = 1.6;
 
 /// Replaces the path in `work`, where it changes gear often, by one with fewer changes: by a cheaper one with the same
 /// margin, or by one with less.
@@ -72,12 +69,6 @@ fn changes(report: &Report) -> u32 {
     arcs::direction_changes(&report.arcs)
 }
 
-/// How many gear changes a path with the comfortable margin must save.
-fn changes_to_save(report: &Report) -> u32 {
-    let is_worth_margin = report.margin > COMFORTABLE_MARGIN && changes(report) <= MANY_CHANGES;
-    if is_worth_margin { SAVED_FOR_MARGIN } else { 1 }
-}
-
 /// Takes the path of one more search, if it costs less and saves so many gear changes.
 fn attempt(
     (search, floods): (Search, &Floods),
@@ -101,14 +92,11 @@ fn attempt(
     };
     let before = changes(&known);
     // The shortcut may save some, the more so the coarser the steps and the longer the path.
-    let more = if number == 0 {
-        saved
-    } else {
-        u32::from(level.xy > COARSE) + before.saturating_sub(MANY_CHANGES) / SHORTCUT_SHARE
-    };
+    let more =
+        if number == 0 { saved } else { u32::from(level.xy > COARSE) + before.saturating_sub(MANY_CHANGES) };
     let level = level.with_changes((before + more).saturating_sub(saved));
-    let slack = if level.xy > COARSE { BEFORE_SHORTCUT } else { 1.0 };
-    let bound = slack * search.costs().searching(&level).path(search.checker, search.start, &known.arcs);
+    let bound =
+        BEFORE_SHORTCUT * search.costs().searching(&level).path(search.checker, search.start, &known.arcs);
     let is_better = search.level(Level { bound, ..level }, work)
         && changes(work.report) + saved <= changes(&known)
         && work.report.cost < known.cost;

@@ -16,6 +16,7 @@
 use core::cell::OnceCell;
 
 use super::floods::Floods;
+use super::known_paths::KnownPaths;
 use super::members::{COMFORTABLE_MARGIN, FIRST_SLICE, From, MANY_CHANGES, Member, Style, arrange, members};
 use super::open_space;
 use crate::IS_COMPLETE;
@@ -87,8 +88,8 @@ pub(super) struct Turns<'a> {
     widest: usize,
     /// Expansions of all members together.
     effort: u32,
-    /// The path with the largest margin so far.
-    best: Option<Report>,
+    /// The paths found so far.
+    known: KnownPaths,
     /// Whose turns these are.
     stage: Stage,
     /// How a member ended that has proven nothing.
@@ -113,7 +114,7 @@ impl<'a> Turns<'a> {
             members: members(levels, widest, &floods.margins),
             widest,
             effort: TOTAL_EXPANSIONS,
-            best: None,
+            known: KnownPaths::default(),
             stage: Stage::Levels,
             doubt: None,
             hope: Hope::Unasked,
@@ -193,7 +194,7 @@ impl<'a> Turns<'a> {
     /// spent in vain, and to the last where one of the first has spent its work in vain.
     fn next_stage(&mut self, work: &mut Work) -> bool {
         match self.stage {
-            _ if !IS_COMPLETE || self.best.is_some() => false,
+            _ if !IS_COMPLETE || !self.known.is_empty() => false,
             Stage::Levels if !self.members.is_empty() => {
                 self.enter_open_space();
                 !self.members.is_empty() && !self.is_hopeless(work)
@@ -267,7 +268,7 @@ impl<'a> Turns<'a> {
         let next = self.drop(at, |one| member.outdoes(one));
         if !is_proof
             || self.stage != Stage::Levels
-            || self.best.is_some()
+            || !self.known.is_empty()
             || expanded <= WIDE_SEARCH_POSES * member.level
         {
             return next;
@@ -290,7 +291,8 @@ impl<'a> Turns<'a> {
             self.members.extend(open_space::with_more_margin(member, self.widest..member.margin));
         }
         self.stage = Stage::Levels;
-        self.offer(report);
+        let counters = report.counters();
+        self.known.offer(core::mem::replace(report, counters));
         self.drop(at, |one| {
             let is_better = one.margin < member.margin
                 || (is_restless && one.margin == member.margin && one.level > member.level);
@@ -319,15 +321,6 @@ impl<'a> Turns<'a> {
         next
     }
 
-    /// Keeps a path that has more margin than the best so far or, with the same, costs less.
-    fn offer(&mut self, report: &mut Report) {
-        let counters = report.counters();
-        let path = core::mem::replace(report, counters);
-        if self.best.as_ref().is_none_or(|best| path.margin > best.margin || path.cost < best.cost) {
-            self.best = Some(path);
-        }
-    }
-
     /// One slice of a member; the answer is in `work.report`.
     fn search(&self, member: Member, slice: u32, work: &mut Work) -> Turn {
         let is_swapped = self.is_swapped != (member.from == From::Far);
@@ -339,6 +332,8 @@ impl<'a> Turns<'a> {
             return Turn::Exhausted;
         }
         let level = member.level(search.config, self.is_least(member));
+        let most = if IS_COMPLETE { self.known.most_changes(work.report.margin) } else { None };
+        let level = most.map_or(level, |most| level.with_changes(most));
         let search = if IS_COMPLETE && member.style == Style::Guided {
             self.guided(search, is_swapped, &level)
         } else {
@@ -374,7 +369,7 @@ impl<'a> Turns<'a> {
             report.closest = Some(self.search.world(nearest));
             return;
         }
-        if let Some(known) = self.best.or(self.proof) {
+        if let Some(known) = self.known.better().or(self.proof) {
             *report = report.with_path_of(known);
         } else if report.status == Status::NoPath {
             report.status = self.doubt.unwrap_or(Status::BudgetExhausted(report.rs_bound));

@@ -1,0 +1,95 @@
+//! The paths that members have found: the one with the largest margin, and the easiest with less.
+//!
+//! Margin costs gear changes: with 10 cm a car may rock ten times where 3 cm let it in with four. So a path with less
+//! margin, though no less than is comfortable, is the better answer where it saves enough of them. A search for more
+//! margin leaves out what would take too many to be that answer.
+
+use super::members::{COMFORTABLE_MARGIN, MANY_CHANGES};
+use crate::IS_COMPLETE;
+use crate::geometry::arcs;
+use crate::planners::hybrid::report::Report;
+
+/// Less margin must save so many gear changes where there are few: more room is not to mean more changes.
+const SAVED_FOR_MARGIN: u32 = 2;
+/// The shortcut may save so many of a path with more margin.
+const BEFORE_SHORTCUT: u32 = 2;
+
+/// The paths found so far.
+#[derive(Default)]
+pub(super) struct KnownPaths {
+    /// The one with the largest margin.
+    widest: Option<Report>,
+    /// One with less, but no less than is comfortable, and of those the one with the fewest gear changes. The small
+    /// module keeps none.
+    easiest: Option<Report>,
+}
+
+impl KnownPaths {
+    /// True before anything was found.
+    pub(super) fn is_empty(&self) -> bool {
+        self.widest.is_none()
+    }
+
+    /// Keeps a path that has more margin than the widest or, with the same, costs less, and the easiest of the others.
+    pub(super) fn offer(&mut self, path: Report) {
+        let is_wider = |widest: &Report| path.margin > widest.margin || path.cost < widest.cost;
+        let other =
+            if self.widest.as_ref().is_none_or(is_wider) { self.widest.replace(path) } else { Some(path) };
+        if !IS_COMPLETE {
+            return;
+        }
+        let comfortable = other.filter(|other| other.margin >= COMFORTABLE_MARGIN);
+        if let Some(other) = comfortable
+            && self.easiest.as_ref().is_none_or(|easiest| is_easier(&other, easiest))
+        {
+            self.easiest = Some(other);
+        }
+    }
+
+    /// The most gear changes, before the shortcut, of a path with a margin that would be the answer in place of those
+    /// with less; nothing where none with less is comfortable.
+    pub(super) fn most_changes(&self, margin: f64) -> Option<u32> {
+        let known = [&self.widest, &self.easiest].into_iter().flatten();
+        let comfortable = known.filter(|known| (COMFORTABLE_MARGIN..margin).contains(&known.margin));
+        let fewest = comfortable.map(changes).min()?;
+        let most = fewest + SAVED_FOR_MARGIN - 1;
+        let most = if most <= MANY_CHANGES { most } else { fewest.max(MANY_CHANGES) };
+        Some(most + BEFORE_SHORTCUT)
+    }
+
+    /// The better answer.
+    pub(super) fn better(self) -> Option<Report> {
+        match (self.widest, self.easiest) {
+            (Some(widest), Some(easiest)) if IS_COMPLETE && gives_up_margin(&widest, &easiest) => {
+                Some(easiest)
+            }
+            (widest, _) => widest,
+        }
+    }
+}
+
+/// How many gear changes a path with the comfortable margin must save to be better than one with as much or more.
+pub(super) fn changes_to_save(path: &Report) -> u32 {
+    let is_worth_margin = path.margin > COMFORTABLE_MARGIN && changes(path) <= MANY_CHANGES;
+    if is_worth_margin { SAVED_FOR_MARGIN } else { 1 }
+}
+
+/// True if a path with less margin is the better answer.
+fn gives_up_margin(widest: &Report, easiest: &Report) -> bool {
+    easiest.margin < widest.margin
+        && changes(easiest) + changes_to_save(widest) <= changes(widest)
+        && easiest.cost < widest.cost
+}
+
+/// True if a path has fewer gear changes than another or, with as many, more margin or a lower cost.
+fn is_easier(path: &Report, other: &Report) -> bool {
+    match changes(path).cmp(&changes(other)) {
+        core::cmp::Ordering::Equal if path.margin == other.margin => path.cost < other.cost,
+        core::cmp::Ordering::Equal => path.margin > other.margin,
+        order => order.is_lt(),
+    }
+}
+
+fn changes(path: &Report) -> u32 {
+    arcs::direction_changes(&path.arcs)
+}
