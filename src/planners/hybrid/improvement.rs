@@ -15,7 +15,7 @@ use crate::geometry::arcs::{self, Arc};
 /// A path that a round makes no cheaper than by this factor is left at that, …
 const SETTLED: f64 = 0.99;
 /// … and any after so many rounds.
-const MAX_ROUNDS: u32 = 6;
+const MAX_ROUNDS: u32 = 4;
 
 /// A path of arcs from `start`, made cheaper. Gear changes never increase.
 ///

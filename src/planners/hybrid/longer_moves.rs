@@ -12,9 +12,9 @@ use super::analytic_expansion::take_cheapest;
 use super::cost::Motion;
 use super::profile::FEW_CHANGES;
 use super::shortcut::{self, MIN_GAIN, Rules};
-use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
+use crate::geometry::{Pose, math};
 
 /// A move grows by this at most, metres.
 const LONGER: f64 = 1.0;
@@ -24,7 +24,7 @@ const KNOT_SPACING: f64 = 0.5;
 /// fewer is found by the shortcut.
 const LEFT_OUT: u32 = 2;
 /// Collision checks after which no more is tried, from each end.
-const MAX_CHECKS: u32 = 200_000;
+const MAX_CHECKS: u32 = 30_000;
 /// Curves of a search are checked so many times as far apart: moves that end at the margin may leave it between checks.
 const FINER: f64 = 2.0;
 
@@ -176,7 +176,8 @@ impl Old {
         let changes = driven.changes + self.changes(place);
         let longest =
             best.0 - spent - costs.many_changes(changes) - next.map_or(0.0, |next| next.length.abs());
-        if (to.point() - from.point()).norm() >= longest {
+        let turn = math::turn(from.heading, to.heading).abs();
+        if (to.point() - from.point()).norm().max(turn * costs.radius) >= longest {
             return;
         }
         let mut found: Vec<(f64, Word)> = Vec::new();
