@@ -135,8 +135,8 @@ fn a_longer_slot_takes_hardly_more_gear_changes() {
     }
 }
 
-/// With 10 cm of margin the car rocks five to ten times here, with 3 or 5 cm it drives in with two to four gear changes.
-/// One more is worth the difference.
+/// With 10 cm of margin the car rocks five to ten times here, with 3 or 5 cm it drives in with two to four gear
+/// changes. One more is worth the difference.
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn margin_is_given_up_where_that_saves_many_gear_changes() {

@@ -7,7 +7,7 @@ use crate::vehicle::collision::{CollisionChecker, Obstacles, Solid};
 
 const MARGIN: f64 = 0.03;
 
-/// A street of 6 m with a kerb slot of so many metres along it. The slot begins at x = 20 m and its kerb is at y = 10 m.
+/// A street of 6 m with a kerb slot of so many metres along it, which begins at x = 20 m; its kerb is at y = 10 m.
 fn kerb_slot(length: f64) -> Obstacles {
     let solid = |x: f64, y: f64, width: f64, depth: f64, owner: u32| Solid {
         outline: [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)]
