@@ -93,3 +93,6 @@ fn is_easier(path: &Report, other: &Report) -> bool {
 fn changes(path: &Report) -> u32 {
     arcs::direction_changes(&path.arcs)
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,10 +6,9 @@
 //! than the known path is left out, and so is what takes as many changes, but for those that the shortcut may save: a
 //! search soon ends where there is nothing to gain.
 //!
-//! Margin costs gear changes, too: with 10 cm a car may rock ten times where 3 cm let it in with four. So a path with
-//! many changes gives up margin, down to what is comfortable, where that saves some of them: it is held against ever
-//! finer lattices, as what one misses the next one finds. One that keeps no more than that is held against the same
-//! searches with its own margin.
+//! A path with many changes gives up margin, down to what is comfortable, where that saves enough of them
+//! (`known_paths`): it is held against ever finer lattices, as what one misses the next one finds. One that keeps no more
+//! than that is held against the same searches with its own margin.
 
 use super::floods::Floods;
 use super::known_paths::changes_to_save;

@@ -1,0 +1,50 @@
+use super::*;
+use crate::geometry::arcs::Arc;
+
+/// A path with a margin, so many gear changes and a cost.
+fn path(margin: f64, changes: u32, cost: f64) -> Report {
+    let arc = |n: u32| Arc { curvature: 0.0, length: if n.is_multiple_of(2) { 1.0 } else { -1.0 } };
+    Report { margin, cost, arcs: (0..=changes).map(arc).collect(), ..Report::empty(0.0) }
+}
+
+fn known(paths: &[(f64, u32, f64)]) -> KnownPaths {
+    let mut known = KnownPaths::default();
+    paths.iter().for_each(|&(margin, changes, cost)| known.offer(path(margin, changes, cost)));
+    known
+}
+
+/// The better of some paths, in the order in which they are found.
+fn better(paths: &[(f64, u32, f64)]) -> (f64, u32) {
+    let better = known(paths).better().unwrap();
+    (better.margin, changes(&better))
+}
+
+#[test]
+fn less_margin_is_better_where_it_saves_enough_gear_changes() {
+    // Two of three or four, and one of more.
+    assert_eq!(better(&[(0.03, 2, 10.0), (0.1, 3, 15.0)]), (0.1, 3));
+    assert_eq!(better(&[(0.03, 2, 10.0), (0.1, 4, 20.0)]), (0.03, 2));
+    assert_eq!(better(&[(0.03, 4, 20.0), (0.1, 5, 25.0)]), (0.03, 4));
+    // Less than is comfortable never is, nor what costs more.
+    assert_eq!(better(&[(0.01, 2, 10.0), (0.1, 9, 50.0)]), (0.1, 9));
+    assert_eq!(better(&[(0.03, 2, 60.0), (0.1, 9, 50.0)]), (0.1, 9));
+    // Of several the one with the fewest changes, and then with the most margin.
+    assert_eq!(better(&[(0.03, 2, 10.0), (0.05, 2, 11.0), (0.1, 6, 40.0)]), (0.05, 2));
+    assert_eq!(better(&[(0.03, 2, 10.0), (0.05, 3, 11.0), (0.1, 6, 40.0)]), (0.03, 2));
+    // With the same margin the cheaper one counts, whichever comes first.
+    assert_eq!(better(&[(0.1, 6, 40.0), (0.1, 5, 30.0)]), (0.1, 5));
+    assert_eq!(better(&[(0.1, 5, 30.0), (0.1, 6, 40.0)]), (0.1, 5));
+    assert!(known(&[]).better().is_none() && known(&[]).is_empty());
+}
+
+#[test]
+fn a_search_for_more_margin_is_short_of_what_would_not_be_the_answer() {
+    assert_eq!(known(&[]).most_changes(0.1), None);
+    assert_eq!(known(&[(0.01, 2, 10.0)]).most_changes(0.1), None);
+    assert_eq!(known(&[(0.1, 2, 10.0)]).most_changes(0.1), None);
+    for fewest in 0..12 {
+        let most = known(&[(0.03, fewest, 10.0)]).most_changes(0.1).unwrap() - BEFORE_SHORTCUT;
+        let is_answer = |changes: u32| better(&[(0.03, fewest, 10.0), (0.1, changes, 90.0)]).0 == 0.1;
+        assert!(is_answer(most) && !is_answer(most + 1), "{fewest}: {most}");
+    }
+}
