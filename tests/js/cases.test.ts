@@ -61,7 +61,7 @@ const CLAIMS: Record<string, () => boolean> = {
   "risk-field-plus worst": () => expanded("risk-field-plus", "trap-60") > expanded("risk-field", "trap-60"),
   "hybrid best": () => expanded("hybrid", "angled") < 100,
   "hybrid worst": () =>
-    answer("hybrid", "par-7.2").metrics.directionChanges > 5 && Math.abs(spare("par-7.2") - 1.7) < 1e-9,
+    answer("hybrid", "par-7.2").metrics.directionChanges > 3 && Math.abs(spare("par-7.2") - 1.7) < 1e-9,
   "hybrid-forward best": () => expanded("hybrid-forward", "L3") === 1,
   "hybrid-forward worst": () => expanded("hybrid-forward", "perp-nose-3.2") > 10_000,
   "hybrid-bidirectional best": () =>

@@ -65,8 +65,8 @@ const FINE_LAYERS_WEIGHT: f64 = 2.0;
 const CREEPING_MARGIN: f64 = 0.01;
 /// The shortcut may take so many gear changes more out of a path than must be saved.
 const BEFORE_SHORTCUT: u32 = 4;
-/// The level that is searched with and without room for the shortcut from the start, too.
-const SWAPPED_TWICE: u32 = 2;
+/// The levels that are searched with and without room for the shortcut from the start, too.
+const SWAPPED_TWICE: [u32; 2] = [1, 2];
 /// Expansions of each such search.
 const CREEPING_EXPANSIONS: u32 = 60_000;
 /// Time of a gear change, expressed in metres at full speed.
@@ -218,7 +218,7 @@ impl Run<'_, '_> {
         let ends = if self.search.goals.is_empty() { &[false, true][..] } else { &[false] };
         for &is_swapped in ends {
             for (level, number) in creeping_levels(&config) {
-                let is_once = is_swapped && number != SWAPPED_TWICE;
+                let is_once = is_swapped && !SWAPPED_TWICE.contains(&number);
                 for more in [0, BEFORE_SHORTCUT].into_iter().take(if is_once { 1 } else { 2 }) {
                     if self.changes < 2 || (is_swapped && self.changes <= FEW_CHANGES) {
                         return Goes::Continue(());
