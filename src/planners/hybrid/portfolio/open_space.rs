@@ -19,7 +19,7 @@ const DOGGED_LEVEL: u32 = 2;
 /// The first group. Unless another estimate is asked for, the first two search from either end, guided by a coarse
 /// search of the poses. The next goes from the other end without a guide. Where `is_unproven`, the coarsest search with
 /// the least margin then goes on from where its budget ended, greedily. The others rock with the least margin, on two
-/// lattices.
+/// lattices, and on the finer one from the other end, too.
 pub(super) fn first(config: &Config, least: usize, may_swap: bool, is_unproven: bool) -> Vec<Member> {
     let coarsest = |from, style| Member { from, style, ..plain(1, least) };
     let mut members = Vec::new();
@@ -31,6 +31,8 @@ pub(super) fn first(config: &Config, least: usize, may_swap: bool, is_unproven: 
         members.push(coarsest(From::Hard, Style::Greedy));
     }
     members.extend([ROCKING_LEVEL, FINE_ROCKING_LEVEL].map(|level| rocking(level, least)));
+    // In a narrow corner the pose that stands for a cell decides, and from the other end another does.
+    members.push(Member { from: From::Far, ..rocking(FINE_ROCKING_LEVEL, least) });
     allowed(members, config, may_swap)
 }
 

@@ -24,9 +24,9 @@ const WEIGHT: f64 = 2.0;
 /// Expansions of the coarsest lattice, …
 const COARSE_EXPANSIONS: u32 = 5000;
 /// … of those between, …
-const FINE_EXPANSIONS: u32 = 40_000;
+const FINE_EXPANSIONS: u32 = 20_000;
 /// … and of the one with the smallest cells.
-const FINEST_EXPANSIONS: u32 = 24_000;
+const FINEST_EXPANSIONS: u32 = 16_000;
 /// The level that is refined, and which of the refined lattices is taken: the one with the smallest cells.
 const FINEST: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
 /// Lattices with larger cells are coarse, metres.
