@@ -7,8 +7,8 @@
 //! search soon ends where there is nothing to gain.
 //!
 //! A path with many changes gives up margin, down to what is comfortable, where that saves enough of them
-//! (`known_paths`): it is held against ever finer lattices, as what one misses the next one finds. One that keeps no more
-//! than that is held against the same searches with its own margin.
+//! (`known_paths`): it is held against ever finer lattices, as what one misses the next one finds. One that keeps no
+//! more than that is held against the same searches with its own margin.
 
 use super::floods::Floods;
 use super::known_paths::changes_to_save;
