@@ -1,8 +1,8 @@
 //! `cargo xtask build`: the npm package in `pkg/`, the page in `dist/`, and their sizes.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 use anyhow::{Context as _, Result, ensure};
 
@@ -163,7 +163,7 @@ fn build_package(workspace: &Workspace) -> Result<()> {
 fn build_module(workspace: &Workspace, folder: &Path, features: &[&str], flags: &[&str]) -> Result<()> {
     let build =
         ["rustc", "--release", "--locked", "--lib", "--crate-type", "cdylib", "--target", WASM_TARGET];
-    run(cargo().args(build).args(features).arg("--").args(flags))?;
+    run(cargo().args(remapped_sources()).args(build).args(features).arg("--").args(flags))?;
     let compiled = workspace.target.join(WASM_TARGET).join("release/parkade.wasm");
     fs::create_dir_all(folder)?;
     bind(&compiled, folder)?;
@@ -176,6 +176,18 @@ fn build_module(workspace: &Workspace, folder: &Path, features: &[&str], flags: 
         copy(&root().join("packages/parkade").join(name), &folder.join(name))?;
     }
     Ok(())
+}
+
+/// The option that names the sources of dependencies alike on every machine. Messages of panics name them, so the
+/// module's size would depend on where the machine keeps them.
+fn remapped_sources() -> Option<String> {
+    let home =
+        env::var_os("CARGO_HOME").map(PathBuf::from).or_else(|| Some(env::home_dir()?.join(".cargo")))?;
+    let folders = fs::read_dir(home.join("registry/src")).ok()?;
+    let flags: Vec<String> = folders
+        .filter_map(|folder| Some(format!("'--remap-path-prefix={}=crates'", folder.ok()?.path().display())))
+        .collect();
+    Some(format!("--config=target.{WASM_TARGET}.rustflags=[{}]", flags.join(",")))
 }
 
 /// Writes the JavaScript glue and the `.wasm` file that belongs to it.

@@ -33,11 +33,14 @@ impl KnownPaths {
     /// Keeps a path that has more margin than the widest or, with the same, costs less, and the easiest of the others.
     pub(super) fn offer(&mut self, path: Report) {
         let is_wider = |widest: &Report| path.margin > widest.margin || path.cost < widest.cost;
-        let other =
-            if self.widest.as_ref().is_none_or(is_wider) { self.widest.replace(path) } else { Some(path) };
+        let is_widest = self.widest.as_ref().is_none_or(is_wider);
         if !IS_COMPLETE {
+            if is_widest {
+                self.widest = Some(path);
+            }
             return;
         }
+        let other = if is_widest { self.widest.replace(path) } else { Some(path) };
         let comfortable = other.filter(|other| other.margin >= COMFORTABLE_MARGIN);
         if let Some(other) = comfortable
             && self.easiest.as_ref().is_none_or(|easiest| is_easier(&other, easiest))

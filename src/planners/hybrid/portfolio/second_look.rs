@@ -27,6 +27,10 @@ const COARSE_EXPANSIONS: u32 = 5000;
 const FINE_EXPANSIONS: u32 = 20_000;
 /// … and of the one with the smallest cells.
 const FINEST_EXPANSIONS: u32 = 16_000;
+/// Where there are more gear changes than this, a search on a fine lattice is worth more, …
+const VERY_MANY_CHANGES: u32 = 8;
+/// … so many expansions for each of them.
+const EXPANSIONS_PER_CHANGE: u32 = 5000;
 /// The level that is refined, and which of the refined lattices is taken: the one with the smallest cells.
 const FINEST: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
 /// Lattices with larger cells are coarse, metres.
@@ -83,13 +87,15 @@ fn attempt(
     let counters = work.report.counters();
     let known = core::mem::replace(work.report, counters);
     (work.report.margin, work.report.level) = (floods.margin(margin), number);
+    let before = changes(&known);
+    let is_worth_more = number > 0 && before > VERY_MANY_CHANGES;
+    let most = if is_worth_more { EXPANSIONS_PER_CHANGE * before } else { most };
     let level = Level {
         max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
         extra_change: MANY_CHANGES_COST,
         ..level.cheaply_tried(&config.level(0))
     };
-    let before = changes(&known);
     // The shortcut may save some, the more so the coarser the steps and the longer the path.
     let more =
         if number == 0 { saved } else { u32::from(level.xy > COARSE) + before.saturating_sub(MANY_CHANGES) };

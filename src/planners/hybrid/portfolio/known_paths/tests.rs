@@ -9,7 +9,9 @@ fn path(margin: f64, changes: u32, cost: f64) -> Report {
 
 fn known(paths: &[(f64, u32, f64)]) -> KnownPaths {
     let mut known = KnownPaths::default();
-    paths.iter().for_each(|&(margin, changes, cost)| known.offer(path(margin, changes, cost)));
+    for &(margin, changes, cost) in paths {
+        known.offer(path(margin, changes, cost));
+    }
     known
 }
 
