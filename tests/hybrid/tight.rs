@@ -96,7 +96,7 @@ fn generated_slots_are_entered_and_left_and_corners_are_passed_or_proven_too_nar
         for scene in [corner(car, seed, lane, lane), bay(car, seed, (0.5, 1.2), (4.5, 7.0))] {
             let report = answer(&scene, scene.start, scene.goal);
             assert!(!matches!(report.status, Status::BudgetExhausted(_)), "{}", scene.name);
-            assert!(report.stats.expanded <= 500_000, "{}", scene.name);
+            assert!(report.stats.expanded <= 600_000, "{}", scene.name);
             let is_bay = scene.name.starts_with("bay");
             assert!(!is_bay || !report.arcs.is_empty(), "{}: {:?}", scene.name, report.status);
         }
@@ -113,7 +113,7 @@ fn the_tightest_slots_are_entered_with_three_centimetres() {
         let query = Query { obstacles, vehicle, start: *start, goal: *goal };
         let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
         assert_eq!(report.margin, 0.03, "{name}");
-        assert!(report.stats.expanded <= 500_000, "{name}: {} expansions", report.stats.expanded);
+        assert!(report.stats.expanded <= 600_000, "{name}: {} expansions", report.stats.expanded);
     }
 }
 
@@ -182,7 +182,7 @@ fn bays_are_entered_by_rocking() {
         let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
         assert!(report.status.is_found(), "{name}: {:?}", report.status);
         assert!(
-            report.stats.expanded <= 500_000 && report.margin >= 0.002,
+            report.stats.expanded <= 600_000 && report.margin >= 0.002,
             "{name}: {} expansions",
             report.stats.expanded
         );
