@@ -64,7 +64,7 @@ const FINE_LAYERS_WEIGHT: f64 = 2.0;
 /// A car that creeps into a slot keeps this much, metres: with it all lattices are searched from both ends.
 const CREEPING_MARGIN: f64 = 0.01;
 /// The shortcut may take so many gear changes more out of a path than must be saved.
-const BEFORE_SHORTCUT: u32 = 4;
+const SAVED_BY_SHORTCUT: u32 = 4;
 /// The levels that are searched with and without room for the shortcut from the start, too.
 const SWAPPED_TWICE: [u32; 2] = [1, 2];
 /// Expansions of each such search.
@@ -219,7 +219,7 @@ impl Run<'_, '_> {
         for &is_swapped in ends {
             for (level, number) in creeping_levels(&config) {
                 let is_once = is_swapped && !SWAPPED_TWICE.contains(&number);
-                for more in [0, BEFORE_SHORTCUT].into_iter().take(if is_once { 1 } else { 2 }) {
+                for more in [0, SAVED_BY_SHORTCUT].into_iter().take(if is_once { 1 } else { 2 }) {
                     if self.changes < 2 || (is_swapped && self.changes <= FEW_CHANGES) {
                         return Goes::Continue(());
                     }

@@ -120,7 +120,7 @@ impl Level {
 
 /// Finer lattices for a car that gains millimetres with each gear change: metres, degrees, metres.
 const REFINED: [(f64, f64, f64); REFINEMENTS] =
-    [(0.04, 0.6, 0.1), (0.03, 0.4, 0.1), (0.02, 0.25, 0.1), (0.02, 0.4, 0.08)];
+    [(0.04, 0.6, 0.1), (0.035, 0.5, 0.08), (0.02, 0.25, 0.1), (0.02, 0.4, 0.08)];
 /// How many they are.
 pub(super) const REFINEMENTS: usize = 4;
 /// Weight of the estimate on them.

@@ -9,10 +9,13 @@ use crate::IS_COMPLETE;
 use crate::geometry::arcs;
 use crate::planners::hybrid::report::Report;
 
-/// Less margin must save so many gear changes where there are few: more room is not to mean more changes.
-const SAVED_FOR_MARGIN: u32 = 2;
+/// A path must save two gear changes, where there are few, if it gives up more margin than this, metres. In all other
+/// cases it must save one: more room is not to mean more changes.
+const ROOMY_MARGIN: f64 = 0.05;
+/// Those two.
+const ROOMY_MARGIN_WORTH: u32 = 2;
 /// The shortcut may save so many of a path with more margin.
-const BEFORE_SHORTCUT: u32 = 2;
+const SAVED_BY_SHORTCUT: u32 = 2;
 
 /// The paths found so far.
 #[derive(Default)]
@@ -55,9 +58,8 @@ impl KnownPaths {
         let known = [&self.widest, &self.easiest].into_iter().flatten();
         let comfortable = known.filter(|known| (COMFORTABLE_MARGIN..margin).contains(&known.margin));
         let fewest = comfortable.map(changes).min()?;
-        let most = fewest + SAVED_FOR_MARGIN - 1;
-        let most = if most <= MANY_CHANGES { most } else { fewest.max(MANY_CHANGES) };
-        Some(most + BEFORE_SHORTCUT)
+        let few = fewest + worth(margin) - 1;
+        Some(fewest.max(few.min(MANY_CHANGES)) + SAVED_BY_SHORTCUT)
     }
 
     /// The better answer.
@@ -73,8 +75,12 @@ impl KnownPaths {
 
 /// How many gear changes a path with the comfortable margin must save to be better than one with as much or more.
 pub(super) fn changes_to_save(path: &Report) -> u32 {
-    let is_worth_margin = path.margin > COMFORTABLE_MARGIN && changes(path) <= MANY_CHANGES;
-    if is_worth_margin { SAVED_FOR_MARGIN } else { 1 }
+    if changes(path) <= MANY_CHANGES { worth(path.margin) } else { 1 }
+}
+
+/// How many gear changes a path must save that gives up a margin, where there are few.
+fn worth(margin: f64) -> u32 {
+    if margin > ROOMY_MARGIN { ROOMY_MARGIN_WORTH } else { 1 }
 }
 
 /// True if a path with less margin is the better answer.

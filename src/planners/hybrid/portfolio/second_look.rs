@@ -6,9 +6,10 @@
 //! than the known path is left out, and so is what takes as many changes, but for those that the shortcut may save: a
 //! search soon ends where there is nothing to gain.
 //!
-//! A path with many changes gives up margin, down to what is comfortable, where that saves enough of them
-//! (`known_paths`): it is held against ever finer lattices, as what one misses the next one finds. One that keeps no
-//! more than that is held against the same searches with its own margin.
+//! A path with a large margin gives it up, down to what is comfortable, where that saves enough gear changes
+//! (`known_paths`). One with many is held against ever finer lattices, and one with very many against two more: what one
+//! misses the next one finds. One that keeps no more than is comfortable is held against the same searches with its own
+//! margin.
 
 use super::floods::Floods;
 use super::known_paths::changes_to_save;
@@ -25,14 +26,17 @@ const WEIGHT: f64 = 2.0;
 const COARSE_EXPANSIONS: u32 = 5000;
 /// … of those between, …
 const FINE_EXPANSIONS: u32 = 20_000;
-/// … and of the one with the smallest cells.
+/// … and of the refined ones.
 const FINEST_EXPANSIONS: u32 = 16_000;
-/// Where there are more gear changes than this, a search on a fine lattice is worth more, …
+/// Where there are more gear changes than this, more lattices are asked, as each misses some ways. A search on a fine
+/// one is worth more, unless the car creeps anyway: …
 const VERY_MANY_CHANGES: u32 = 8;
 /// … so many expansions for each of them.
 const EXPANSIONS_PER_CHANGE: u32 = 5000;
-/// The level that is refined, and which of the refined lattices is taken: the one with the smallest cells.
-const FINEST: (u32, usize) = (FIRST_SHUFFLING_LEVEL - 1, 3);
+/// The level that is refined, …
+const FINEST_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
+/// … and which of the refined lattices has the smallest cells.
+const SMALLEST_CELLS: usize = 3;
 /// Lattices with larger cells are coarse, metres.
 const COARSE: f64 = 0.06;
 /// A path may cost so many times what is left of it after the shortcut.
@@ -52,14 +56,19 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     if less > kept {
         attempt((search, floods), coarsest, kept, 1, work);
     }
-    let (number, refinement) = FINEST;
-    let finest = config.level(number);
+    let finest = config.level(FINEST_LEVEL);
+    let fine = |level, number| (level, number, FINE_EXPANSIONS);
+    let refined = |number| (finest.refined(number, config), FINEST_LEVEL, FINEST_EXPANSIONS);
+    // Less margin saves gear changes where there are few, too.
+    let few = if less > kept { FEW_CHANGES } else { MANY_CHANGES };
     let searches = [
         (coarsest, FEW_CHANGES),
-        ((config.level(2), 2, FINE_EXPANSIONS), MANY_CHANGES),
-        ((config.level(3), 3, FINE_EXPANSIONS), MANY_CHANGES),
-        ((finest.between(config), number, FINE_EXPANSIONS), MANY_CHANGES),
-        ((finest.refined(refinement, config), number, FINEST_EXPANSIONS), MANY_CHANGES - 1),
+        (fine(config.level(2), 2), few),
+        (fine(config.level(3), 3), MANY_CHANGES),
+        (fine(finest.between(config), FINEST_LEVEL), few),
+        (refined(SMALLEST_CELLS), MANY_CHANGES - 1),
+        (refined(1), VERY_MANY_CHANGES),
+        (refined(2), VERY_MANY_CHANGES),
     ];
     for (level, few) in searches {
         if changes(work.report) > few {
@@ -88,7 +97,8 @@ fn attempt(
     let known = core::mem::replace(work.report, counters);
     (work.report.margin, work.report.level) = (floods.margin(margin), number);
     let before = changes(&known);
-    let is_worth_more = number > 0 && before > VERY_MANY_CHANGES;
+    let is_comfortable = floods.margin(margin) >= COMFORTABLE_MARGIN;
+    let is_worth_more = number > 0 && is_comfortable && before > VERY_MANY_CHANGES;
     let most = if is_worth_more { EXPANSIONS_PER_CHANGE * before } else { most };
     let level = Level {
         max_expansions: level.max_expansions.min(most),

@@ -23,7 +23,8 @@ fn better(paths: &[(f64, u32, f64)]) -> (f64, u32) {
 
 #[test]
 fn less_margin_is_better_where_it_saves_enough_gear_changes() {
-    // Two of three or four, and one of more.
+    // Two of three or four, and one of more, or where no more than 5 cm are given up.
+    assert_eq!(better(&[(0.03, 2, 10.0), (0.05, 3, 15.0)]), (0.03, 2));
     assert_eq!(better(&[(0.03, 2, 10.0), (0.1, 3, 15.0)]), (0.1, 3));
     assert_eq!(better(&[(0.03, 2, 10.0), (0.1, 4, 20.0)]), (0.03, 2));
     assert_eq!(better(&[(0.03, 4, 20.0), (0.1, 5, 25.0)]), (0.03, 4));
@@ -44,9 +45,9 @@ fn a_search_for_more_margin_is_short_of_what_would_not_be_the_answer() {
     assert_eq!(known(&[]).most_changes(0.1), None);
     assert_eq!(known(&[(0.01, 2, 10.0)]).most_changes(0.1), None);
     assert_eq!(known(&[(0.1, 2, 10.0)]).most_changes(0.1), None);
-    for fewest in 0..12 {
-        let most = known(&[(0.03, fewest, 10.0)]).most_changes(0.1).unwrap() - BEFORE_SHORTCUT;
-        let is_answer = |changes: u32| better(&[(0.03, fewest, 10.0), (0.1, changes, 90.0)]).0 == 0.1;
-        assert!(is_answer(most) && !is_answer(most + 1), "{fewest}: {most}");
+    for (fewest, margin) in (0..12).flat_map(|fewest| [0.05, 0.1].map(|margin| (fewest, margin))) {
+        let most = known(&[(0.03, fewest, 10.0)]).most_changes(margin).unwrap() - SAVED_BY_SHORTCUT;
+        let is_answer = |changes: u32| better(&[(0.03, fewest, 10.0), (margin, changes, 90.0)]).0 == margin;
+        assert!(is_answer(most) && !is_answer(most + 1), "{fewest}, {margin}: {most}");
     }
 }
