@@ -120,9 +120,9 @@ impl Level {
 
 /// Finer lattices for a car that gains millimetres with each gear change: metres, degrees, metres.
 const REFINED: [(f64, f64, f64); REFINEMENTS] =
-    [(0.04, 0.6, 0.1), (0.035, 0.5, 0.08), (0.02, 0.25, 0.1), (0.02, 0.4, 0.08)];
+    [(0.04, 0.6, 0.1), (0.035, 0.5, 0.08), (0.02, 0.25, 0.1), (0.02, 0.4, 0.08), (0.02, 0.2, 0.06)];
 /// How many they are.
-pub(super) const REFINEMENTS: usize = 4;
+pub(super) const REFINEMENTS: usize = 5;
 /// Weight of the estimate on them.
 const REFINED_WEIGHT: f64 = 1.3;
 /// Cost of a gear change where the car may rock or the tree grows from the other end, metres.

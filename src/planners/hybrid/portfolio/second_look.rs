@@ -35,8 +35,8 @@ const VERY_MANY_CHANGES: u32 = 8;
 const EXPANSIONS_PER_CHANGE: u32 = 5000;
 /// The level that is refined, …
 const FINEST_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
-/// … and which of the refined lattices has the smallest cells.
-const SMALLEST_CELLS: usize = 3;
+/// … and which of the refined lattices is asked first, as it saves most often.
+const FIRST_REFINED: usize = 3;
 /// Lattices with larger cells are coarse, metres.
 const COARSE: f64 = 0.06;
 /// A path may cost so many times what is left of it after the shortcut.
@@ -66,7 +66,7 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
         (fine(config.level(2), 2), few),
         (fine(config.level(3), 3), MANY_CHANGES),
         (fine(finest.between(config), FINEST_LEVEL), few),
-        (refined(SMALLEST_CELLS), MANY_CHANGES - 1),
+        (refined(FIRST_REFINED), MANY_CHANGES - 1),
         (refined(1), VERY_MANY_CHANGES),
         (refined(2), VERY_MANY_CHANGES),
     ];
