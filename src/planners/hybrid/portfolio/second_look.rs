@@ -35,7 +35,7 @@ const VERY_MANY_CHANGES: u32 = 8;
 const EXPANSIONS_PER_CHANGE: u32 = 5000;
 /// The level that is refined, …
 const FINEST_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
-/// … and which of the refined lattices is asked first, as it saves most often.
+/// … and which of the refined lattices is asked from four gear changes on.
 const FIRST_REFINED: usize = 3;
 /// Lattices with larger cells are coarse, metres.
 const COARSE: f64 = 0.06;
