@@ -9,10 +9,10 @@ use crate::IS_COMPLETE;
 use crate::geometry::arcs;
 use crate::planners::hybrid::report::Report;
 
-/// A path must save two gear changes, where there are few, if it gives up more margin than this, metres. In all other
-/// cases it must save one: more room is not to mean more changes.
+/// More margin than this is roomy, metres. Any other is given up for one gear change: more room is not to mean more
+/// changes.
 const ROOMY_MARGIN: f64 = 0.05;
-/// Those two.
+/// A path must save so many gear changes, where there are few, to be worth a roomy margin.
 const ROOMY_MARGIN_WORTH: u32 = 2;
 /// The shortcut may save so many of a path with more margin.
 const SAVED_BY_SHORTCUT: u32 = 2;
