@@ -30,8 +30,8 @@ const SHRINK: f64 = 0.05;
 const CLASS_WIDTH: f64 = 0.05;
 /// States are looked at up to so much more than the root's cost: a share of it and metres.
 const BEYOND: (f64, f64) = (1.1, 2.0);
-/// States looked at, at most.
-const MAX_STATES: usize = 300_000;
+/// States looked at, at most, where they are to guide a search.
+pub(super) const MAX_STATES: usize = 300_000;
 /// Added to another estimate where the car did not get, metres: there is hardly a way.
 const UNREACHED_COST: f64 = 20.0;
 
@@ -41,6 +41,8 @@ pub(super) struct PoseHeuristic {
     /// By the number of cell and heading: where the car leaves ahead, and back.
     costs: Vec<[f64; 2]>,
     change: f64,
+    /// True if the search came to its end without the root.
+    is_closed: bool,
 }
 
 /// A pose with the cost of the way from it to the target.
@@ -53,15 +55,17 @@ struct Entry {
 }
 
 impl PoseHeuristic {
-    /// Searches from `target` towards `root`, to which `flood` tells the way. A gear change costs `change` metres.
+    /// Searches from `target` towards `root`, to which `flood` tells the way. A gear change costs `change` metres; `most`
+    /// states are looked at.
     #[inline(never)]
     pub(super) fn new(
         (checker, vehicle): (&CollisionChecker, &Vehicle),
         flood: &ObstacleHeuristic,
         [root, target]: [Pose; 2],
         (margin, change): (f64, f64),
+        most: usize,
     ) -> Self {
-        let mut this = Self { index: StateIndex::default(), costs: Vec::new(), change };
+        let mut this = Self { index: StateIndex::default(), costs: Vec::new(), change, is_closed: false };
         this.index.clear();
         let radius = vehicle.min_turning_radius();
         let step = (radius * math::TAU / f64::from(BINS)).max(MIN_STEP);
@@ -78,8 +82,8 @@ impl PoseHeuristic {
             if cost > this.costs[id as usize][leaves] {
                 continue;
             }
-            if rank > limit || this.costs.len() > MAX_STATES {
-                break;
+            if rank > limit || this.costs.len() > most {
+                return this;
             }
             if id == wanted && limit == f64::INFINITY {
                 limit = rank * BEYOND.0 + BEYOND.1;
@@ -99,7 +103,18 @@ impl PoseHeuristic {
                 }
             }
         }
+        this.is_closed = limit == f64::INFINITY;
         this
+    }
+
+    /// True if all was searched, and no way leads from the root.
+    pub(super) fn is_closed(&self) -> bool {
+        self.is_closed
+    }
+
+    /// States looked at.
+    pub(super) fn states(&self) -> usize {
+        self.costs.len()
     }
 
     /// Bytes held.
@@ -210,7 +225,7 @@ mod tests {
         let pose = |x: f64, y: f64, heading: f64| obstacles.local(Pose::new(x, y, heading));
         let [root, target] = [pose(2.0, 2.0, 0.0), pose(15.0, 6.0, 0.0)];
         let flood = ObstacleHeuristic::new(&obstacles, &car, root, 0.0, None);
-        let poses = PoseHeuristic::new((&checker, &car), &flood, [root, target], (0.0, 1.0));
+        let poses = PoseHeuristic::new((&checker, &car), &flood, [root, target], (0.0, 1.0), MAX_STATES);
         test(&checker, &poses, &pose);
     }
 

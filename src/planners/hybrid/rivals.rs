@@ -68,9 +68,9 @@ pub(super) fn compare(
     mut report: Report,
     search: &mut dyn FnMut(&Config, u32) -> Option<Report>,
 ) -> Report {
-    // That a lattice holds no path by these prices is no proof for the same lattice by others.
-    let is_open =
-        matches!(report.status, Status::BudgetExhausted(_) | Status::VerificationFailed | Status::NoPath);
+    // That a lattice holds no path by these prices is no proof for the same lattice by others. What spends its budget
+    // by these prices would spend it by others, too.
+    let is_open = matches!(report.status, Status::VerificationFailed | Status::NoPath);
     if report.stats.expanded == 0 || (report.arcs.is_empty() && !is_open) {
         return report;
     }

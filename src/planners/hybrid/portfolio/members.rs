@@ -25,9 +25,7 @@ const LAST_CHEAP_LEVEL: u32 = 3;
 pub(super) const FINE_ROCKING_LEVEL: u32 = 3;
 /// The level that is refined.
 const FINEST_PLAIN_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
-/// Weight of the estimate where a search is greedy, and its expansions.
-const GREEDY: (f64, u32) = (4.0, 100_000);
-/// The same where a coarse search of the poses guides, …
+/// Weight of the estimate where a coarse search of the poses guides, and its expansions, …
 const GUIDED: (f64, u32) = (4.0, 60_000);
 /// … in a search from the other end, …
 const FAR: (f64, u32) = (3.0, 60_000);
@@ -56,8 +54,6 @@ pub(super) enum From {
 pub(super) enum Style {
     /// As the level says.
     Plain,
-    /// Follows the estimate more than its level does.
-    Greedy,
     /// Guided by a coarse search of the poses.
     Guided,
     /// The car may rock: turn nearly on the spot.
@@ -93,7 +89,6 @@ impl Member {
     /// The level with the prices and the budget of a style, or of a search from the other end.
     fn open_space_level(self, level: Level, config: &Config) -> Level {
         match self.style {
-            Style::Greedy => level.within(GREEDY, config),
             Style::Guided => level.with_change(CHEAP_CHANGE_COST, config).within(GUIDED, config),
             Style::Dogged => level.with_change(DOGGED_CHANGE_COST, config).within(DOGGED, config),
             Style::Rocking => self.rocking_level(level, config),

@@ -19,7 +19,9 @@ mod floods;
 mod known_paths;
 mod members;
 mod open_space;
+mod scouts;
 mod second_look;
+mod slices;
 mod turns;
 
 pub(super) use floods::Floods;

@@ -8,7 +8,7 @@
 //! the car where it has hardly more room than its own length.
 //!
 //! The second is asked only where one of the first has spent its work in vain: there is room left to search, and ways
-//! have been found there. Its members go on for long, from either end, and take gear changes lightly.
+//! have been found there. One of its members goes on for long and takes gear changes lightly, one rocks from both ends.
 
 use super::members::{FINE_ROCKING_LEVEL, From, Member, ROCKING_LEVEL, Style, plain, rocking};
 use crate::planners::hybrid::config::{Config, Heuristic};
@@ -17,30 +17,26 @@ use crate::planners::hybrid::config::{Config, Heuristic};
 const DOGGED_LEVEL: u32 = 2;
 
 /// The first group. Unless another estimate is asked for, the first two search from either end, guided by a coarse
-/// search of the poses. The next goes from the other end without a guide. Where `is_unproven`, the coarsest search with
-/// the least margin then goes on from where its budget ended, greedily. The others rock with the least margin, on two
+/// search of the poses. The next goes from the other end without a guide. The others rock with the least margin, on two
 /// lattices, and on the finer one from the other end, too.
-pub(super) fn first(config: &Config, least: usize, may_swap: bool, is_unproven: bool) -> Vec<Member> {
+pub(super) fn first(config: &Config, least: usize, may_swap: bool) -> Vec<Member> {
     let coarsest = |from, style| Member { from, style, ..plain(1, least) };
     let mut members = Vec::new();
     if config.heuristic == Heuristic::Max {
         members.extend([coarsest(From::Hard, Style::Guided), coarsest(From::Far, Style::Guided)]);
     }
     members.push(coarsest(From::Far, Style::Plain));
-    if is_unproven {
-        members.push(coarsest(From::Hard, Style::Greedy));
-    }
     members.extend([ROCKING_LEVEL, FINE_ROCKING_LEVEL].map(|level| rocking(level, least)));
     // In a narrow corner the pose that stands for a cell decides, and from the other end another does.
     members.push(Member { from: From::Far, ..rocking(FINE_ROCKING_LEVEL, least) });
     allowed(members, config, may_swap)
 }
 
-/// The second group: two that go on for long, and one that rocks from both ends.
+/// The second group: one that goes on for long, and one that rocks from both ends.
 pub(super) fn last(config: &Config, least: usize, may_swap: bool) -> Vec<Member> {
-    let dogged = |from| Member { from, style: Style::Dogged, ..plain(DOGGED_LEVEL, least) };
+    let dogged = Member { style: Style::Dogged, ..plain(DOGGED_LEVEL, least) };
     let both = Member { from: From::Both, ..rocking(ROCKING_LEVEL, least) };
-    allowed(vec![dogged(From::Hard), dogged(From::Far), both], config, may_swap)
+    allowed(vec![dogged, both], config, may_swap)
 }
 
 /// The members that may improve the path of one of these: the same with more margin, or those that rock.

@@ -8,7 +8,8 @@
 //!
 //! A path with a large margin gives it up, down to what is comfortable, where that saves enough gear changes
 //! (`known_paths`). One with many changes is held against ever finer lattices, and one with very many against two more:
-//! what one misses the next one finds. One that keeps no more than is comfortable is held against the same searches
+//! what one misses the next one finds. Where two of them have spent their work in vain, the others would, too, and are
+//! not asked. One that keeps no more than is comfortable is held against the same searches
 //! with its own margin.
 
 use super::floods::Floods;
@@ -33,6 +34,8 @@ const FINEST_EXPANSIONS: u32 = 16_000;
 const VERY_MANY_CHANGES: u32 = 8;
 /// … so many expansions for each of them.
 const EXPANSIONS_PER_CHANGE: u32 = 5000;
+/// Where so many searches on fine lattices spend their work in vain, the others are not asked.
+const MOST_IN_VAIN: u32 = 2;
 /// The level that is refined, …
 const FINEST_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
 /// … and which of the refined lattices is asked from four gear changes on.
@@ -70,9 +73,11 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
         (refined(1), VERY_MANY_CHANGES),
         (refined(2), VERY_MANY_CHANGES),
     ];
+    let mut in_vain = 0;
     for (level, few) in searches {
-        if changes(work.report) > few {
-            attempt((search, floods), level, less, changes_to_save(work.report), work);
+        if in_vain < MOST_IN_VAIN && changes(work.report) > few {
+            let is_spent = attempt((search, floods), level, less, changes_to_save(work.report), work);
+            in_vain += u32::from(is_spent && level.1 != coarsest.1);
         }
     }
 }
@@ -81,14 +86,15 @@ fn changes(report: &Report) -> u32 {
     arcs::direction_changes(&report.arcs)
 }
 
-/// Takes the path of one more search, if it costs less and saves so many gear changes.
+/// Takes the path of one more search, if it costs less and saves so many gear changes; tells whether that search spent
+/// its work in vain.
 fn attempt(
     (search, floods): (Search, &Floods),
     (level, number, most): (Level, u32, u32),
     margin: usize,
     saved: u32,
     work: &mut Work,
-) {
+) -> bool {
     let config = search.config;
     let is_swapped = work.report.from_goal != search.mirrored;
     let flood = floods.get(margin, is_swapped);
@@ -115,9 +121,11 @@ fn attempt(
     let is_better = search.level(Level { bound, ..level }, work)
         && changes(work.report) + saved <= changes(&known)
         && work.report.cost < known.cost;
+    let is_spent = matches!(work.report.status, Status::BudgetExhausted(_));
     if is_better {
         work.report.status = Status::Suboptimal;
     } else {
         *work.report = work.report.with_path_of(known);
     }
+    !is_better && is_spent
 }

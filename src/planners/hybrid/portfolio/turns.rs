@@ -9,7 +9,7 @@
 //! 3. *spent*: the member waits for its next, larger slice;
 //! 4. *lost*: its work proves nothing, and it is dropped; the answer can no longer be a proof.
 //!
-//! Where the levels find nothing, members for open space follow in two stages, unless a search over all motions of
+//! Where the levels have found nothing for a while, scouts go ahead (`scouts`). Where nothing is found at all, members for open space follow in two stages, unless a search over all motions of
 //! the body shows that it cannot get through at all. The state is a stage, a list of members and a budget; `rounds`
 //! is the loop.
 
@@ -24,7 +24,6 @@ use crate::geometry::Pose;
 use crate::geometry::arcs;
 use crate::planners::hybrid::config::SearchFrom;
 use crate::planners::hybrid::holonomic;
-use crate::planners::hybrid::lattices::Level;
 use crate::planners::hybrid::pose_heuristic::PoseHeuristic;
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
@@ -32,17 +31,21 @@ use crate::search::Progress;
 
 /// Expansions of all members together, where the settings say nothing, …
 const TOTAL_EXPANSIONS: u32 = 150_000;
-/// … and where a search with the least margin has not come out of a slot: only the finest will.
+/// … where a search with the least margin has not come out of a slot: only the finest will, …
 const SLOT_EXPANSIONS: u32 = 220_000;
+/// … and where scouts came back in vain.
+pub(super) const SCOUTED_EXPANSIONS: u32 = 100_000;
 /// Expansions for more margin once there is a path, besides as many as it took.
 const MORE_MARGIN_EXPANSIONS: u32 = 200_000;
+/// The same where the path was guided: what finds one with more margin finds it soon.
+const MORE_GUIDED_EXPANSIONS: u32 = 40_000;
 /// A member that has searched more than this many poses to the end, times its level, came out of any slot: there are
 /// many gear changes, or no way.
 const WIDE_SEARCH_POSES: u32 = 1000;
 /// Expansions of all members together where the first of those for open space are asked, …
 const OPEN_TOTAL_EXPANSIONS: u32 = 360_000;
 /// … and of the last alone.
-const LAST_EXPANSIONS: u32 = 300_000;
+const LAST_EXPANSIONS: u32 = 170_000;
 
 /// Which members take turns.
 #[derive(Clone, Copy, PartialEq)]
@@ -57,7 +60,7 @@ enum Stage {
 }
 
 /// How a turn ended.
-enum Turn {
+pub(super) enum Turn {
     Found,
     /// All that it can reach was searched.
     Exhausted,
@@ -77,27 +80,29 @@ enum Hope {
 
 /// The members that take turns, and what they have found.
 pub(super) struct Turns<'a> {
-    search: Search<'a>,
-    floods: &'a Floods<'a>,
+    pub(super) search: Search<'a>,
+    pub(super) floods: &'a Floods<'a>,
     /// True if the trees grow from the other end.
-    is_swapped: bool,
+    pub(super) is_swapped: bool,
     /// True if they may grow from either end.
-    may_swap: bool,
+    pub(super) may_swap: bool,
     members: Vec<Member>,
     /// The largest margin to try.
     widest: usize,
     /// Expansions of all members together.
-    effort: u32,
+    pub(super) effort: u32,
     /// The paths found so far.
-    known: KnownPaths,
+    pub(super) known: KnownPaths,
     /// Whose turns these are.
     stage: Stage,
+    /// True if scouts have gone ahead.
+    pub(super) is_scouted: bool,
     /// How a member ended that has proven nothing.
     doubt: Option<Status>,
     /// True if the body could get there if it moved in any direction.
     hope: Hope,
     /// The costs from poses to either end, made when they are needed first.
-    poses: [OnceCell<PoseHeuristic>; 2],
+    pub(super) poses: [OnceCell<PoseHeuristic>; 2],
     /// What the last search from the hard end told that came to its end with the least margin.
     proof: Option<Report>,
 }
@@ -116,6 +121,7 @@ impl<'a> Turns<'a> {
             effort: TOTAL_EXPANSIONS,
             known: KnownPaths::default(),
             stage: Stage::Levels,
+            is_scouted: false,
             doubt: None,
             hope: Hope::Unasked,
             poses: Default::default(),
@@ -148,6 +154,13 @@ impl<'a> Turns<'a> {
                 }
                 if work.report.stats.expanded >= self.effort {
                     if !self.next_stage(work) {
+                        return;
+                    }
+                    at = 0;
+                    continue;
+                }
+                if self.may_scout(work.report) {
+                    if !self.scout(work) {
                         return;
                     }
                     at = 0;
@@ -190,6 +203,17 @@ impl<'a> Turns<'a> {
         }
     }
 
+    /// True while the levels have found and proven nothing.
+    pub(super) fn is_undecided(&self) -> bool {
+        self.stage == Stage::Levels && self.known.is_empty() && self.proof.is_none()
+    }
+
+    /// A scout has found a path. Only the same search with more margin goes on.
+    pub(super) fn found_by_scout(&mut self, scout: Member, report: &mut Report) {
+        (self.stage, self.members) = (Stage::OpenSpace { in_vain: false }, vec![scout]);
+        self.found(0, report);
+    }
+
     /// Turns to the members for open space, where they may find a way: to the first where all that may be spent was
     /// spent in vain, and to the last where one of the first has spent its work in vain.
     fn next_stage(&mut self, work: &mut Work) -> bool {
@@ -210,8 +234,8 @@ impl<'a> Turns<'a> {
     }
 
     /// True if the body could not get there either if it moved in any direction; else more work is worth its while.
-    fn is_hopeless(&mut self, work: &Work) -> bool {
-        if !IS_COMPLETE {
+    pub(super) fn is_hopeless(&mut self, work: &Work) -> bool {
+        if !IS_COMPLETE || !matches!(self.hope, Hope::Unasked) {
             return false;
         }
         let flood = self.floods.get(self.least(), self.is_swapped);
@@ -229,14 +253,13 @@ impl<'a> Turns<'a> {
         self.stage = Stage::OpenSpace { in_vain: false };
         self.members.clear();
         if IS_COMPLETE {
-            let is_unproven = self.proof.is_none();
-            self.members = open_space::first(self.search.config, self.least(), self.may_swap, is_unproven);
+            self.members = open_space::first(self.search.config, self.least(), self.may_swap);
             self.effort = OPEN_TOTAL_EXPANSIONS;
         }
     }
 
     /// The index of the least margin.
-    fn least(&self) -> usize {
+    pub(super) fn least(&self) -> usize {
         self.floods.margins.len() - 1
     }
 
@@ -249,7 +272,7 @@ impl<'a> Turns<'a> {
     }
 
     /// True if a member has the least of the margins: what it cannot reach, no member of its level can.
-    fn is_least(&self, member: Member) -> bool {
+    pub(super) fn is_least(&self, member: Member) -> bool {
         member.margin == self.least()
     }
 
@@ -262,8 +285,8 @@ impl<'a> Turns<'a> {
         if is_proof && member.from == From::Hard {
             self.proof = Some(report.clone());
         }
-        if is_proof && self.effort == TOTAL_EXPANSIONS {
-            self.effort = SLOT_EXPANSIONS;
+        if is_proof && self.known.is_empty() {
+            self.effort = self.effort.max(SLOT_EXPANSIONS);
         }
         let next = self.drop(at, |one| member.outdoes(one));
         if !is_proof
@@ -284,7 +307,11 @@ impl<'a> Turns<'a> {
         let member = self.members[at];
         let is_comfortable = report.margin >= COMFORTABLE_MARGIN;
         let is_restless = arcs::direction_changes(&report.arcs) > MANY_CHANGES;
-        let more = if is_comfortable { FIRST_SLICE } else { MORE_MARGIN_EXPANSIONS };
+        let more = match member.style {
+            _ if is_comfortable => FIRST_SLICE,
+            Style::Guided if IS_COMPLETE => MORE_GUIDED_EXPANSIONS,
+            _ => MORE_MARGIN_EXPANSIONS,
+        };
         self.effort = self.effort.min(report.stats.expanded.saturating_add(report.stats.expanded.max(more)));
         let need_not_rock = IS_COMPLETE && self.stage == Stage::Levels && member.style != Style::Rocking;
         if IS_COMPLETE && self.stage != Stage::Levels {
@@ -319,47 +346,6 @@ impl<'a> Turns<'a> {
             is_kept
         });
         next
-    }
-
-    /// One slice of a member; the answer is in `work.report`.
-    fn search(&self, member: Member, slice: u32, work: &mut Work) -> Turn {
-        let is_swapped = self.is_swapped != (member.from == From::Far);
-        let flood = self.floods.get(member.margin, is_swapped);
-        let search = if is_swapped { self.search.swapped(flood) } else { Search { flood, ..self.search } };
-        (work.report.margin, work.report.level) = (self.floods.margin(member.margin), member.level);
-        work.report.status = Status::NoPath;
-        if flood.distance(search.root).is_infinite() {
-            return Turn::Exhausted;
-        }
-        let level = member.level(search.config, self.is_least(member));
-        let most = if IS_COMPLETE { self.known.most_changes(work.report.margin) } else { None };
-        let level = most.map_or(level, |most| level.with_changes(most));
-        let search = if IS_COMPLETE && member.style == Style::Guided {
-            self.guided(search, is_swapped, &level)
-        } else {
-            search
-        };
-        let is_last = slice >= level.max_expansions;
-        if search.level(Level { max_expansions: slice.min(level.max_expansions), ..level }, work) {
-            return Turn::Found;
-        }
-        match work.report.status {
-            Status::NoPath => Turn::Exhausted,
-            Status::BudgetExhausted(_) if !is_last => Turn::Spent,
-            _ => Turn::Lost,
-        }
-    }
-
-    /// The same search, guided by the costs from poses to its target. These are made with the least margin, once for
-    /// each end: a little more margin hardly changes where the car must turn.
-    fn guided<'b>(&'b self, search: Search<'b>, is_swapped: bool, level: &Level) -> Search<'b> {
-        let poses = self.poses[usize::from(is_swapped)].get_or_init(|| {
-            let car = (search.checker, search.query.vehicle);
-            let to_root = self.floods.get(self.floods.count() - 1, !is_swapped);
-            let prices = (self.floods.least(), search.costs().searching(level).change());
-            PoseHeuristic::new(car, to_root, [search.root, search.target], prices)
-        });
-        Search { poses: Some(poses), ..search }
     }
 
     /// Says what came of it; the counters are those of all members.
