@@ -17,7 +17,7 @@
 //! 250 expansions from the other end show whether that end is the hard one to leave. The rest is spent with the
 //! estimate times 1.3: weighted A\*, which no longer explores every detour of equal promise. Its path may cost 1.3
 //! times as much as the cheapest. A path with many gear changes is then held against further searches: with a dearer
-//! change, with half the steps and on the second level.
+//! change, with half the steps and on the second level; the last only where that before saw all that it might.
 
 use core::cell::RefCell;
 
@@ -168,18 +168,19 @@ impl Search<'_> {
         self.cheaper(level, 0, (FEWER_CHANGES, 1.0), work);
     }
 
-    /// Searches once more where the path still changes gear often: with half the steps and, where that does not help,
-    /// on the second level. Shorter steps fit where long ones take another change. The more of them there are, the more
-    /// work that is worth. The small module does without.
+    /// Searches once more where the path still changes gear often: with half the steps and, where that has seen all and
+    /// did not help, on the second level. Shorter steps fit where long ones take another change. The more of them there
+    /// are, the more work that is worth. The small module does without.
     fn with_finer_steps(&self, weight: f64, work: &mut Work) {
         let is_asked = IS_COMPLETE && self.config.levels() > 1 && !self.config.first_shot;
-        if is_asked && changes(work) > FEW_CHANGES {
-            let mut level = self.config.level(0).halved();
-            (level.weight, level.connect_every) = (weight, 2);
-            level.max_expansions = level.max_expansions.min(finer_steps_effort(work));
-            self.cheaper(level, 0, (HALF_STEPS, BEFORE_SHORTCUT), work);
+        if !is_asked || changes(work) <= FEW_CHANGES {
+            return;
         }
-        if is_asked && changes(work) > FEW_CHANGES {
+        let mut level = self.config.level(0).halved();
+        (level.weight, level.connect_every) = (weight, 2);
+        level.max_expansions = level.max_expansions.min(finer_steps_effort(work));
+        let is_spent = self.cheaper(level, 0, (HALF_STEPS, BEFORE_SHORTCUT), work);
+        if !is_spent && changes(work) > FEW_CHANGES {
             let mut level = self.config.level(1);
             level.extra_change = self.config.profile.many_changes();
             level.max_expansions = level.max_expansions.min(finer_steps_effort(work));
@@ -187,10 +188,16 @@ impl Search<'_> {
         }
     }
 
-    /// Searches for a cheaper path with no more gear changes. What costs `slack` times as much as the known one, by the
-    /// prices of the search, is left out.
+    /// Searches for a cheaper path with no more gear changes; tells whether all that it may spend was spent. What costs
+    /// `slack` times as much as the known path, by the prices of the search, is left out.
     #[inline(never)]
-    fn cheaper(&self, mut level: Level, number: u32, (effort, slack): ((u32, f64), f64), work: &mut Work) {
+    fn cheaper(
+        &self,
+        mut level: Level,
+        number: u32,
+        (effort, slack): ((u32, f64), f64),
+        work: &mut Work,
+    ) -> bool {
         let root = if self.mirrored { self.goal } else { self.start };
         let least = work.report.rs_bound.max(self.flood.distance(root));
         let most = effort.0.min((effort.1 * (work.report.cost - least)) as u32);
@@ -198,7 +205,9 @@ impl Search<'_> {
         level.bound = slack * cost;
         level.max_expansions = level.max_expansions.min(most);
         level.most_changes = changes(work).min(u32::from(u8::MAX)) as u8;
+        let before = work.report.stats.expanded;
         self.retry(level, number, work);
+        work.report.stats.expanded - before >= level.max_expansions
     }
 
     /// Searches a level and keeps the cheaper answer: its own, or the earlier one; tells whether there is a path.
