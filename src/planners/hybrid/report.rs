@@ -108,6 +108,8 @@ pub struct Report {
     pub collision_checks: u32,
     /// The expanded pose with the least estimate to go: how near the search came.
     pub closest: Option<Pose>,
+    /// True if the search ended early, as a coarse one had found start and goal apart.
+    pub(super) are_apart: bool,
     /// The obstruction between the car and its goal, if known.
     pub obstruction: Option<Obstruction>,
     /// Arcs of the search tree as driven, in order of expansion: x, y, heading, curvature, signed length, ….
@@ -135,6 +137,7 @@ impl Report {
             stats: SearchStats::default(),
             collision_checks: 0,
             closest: None,
+            are_apart: false,
             obstruction: None,
             tree: Vec::new(),
             tree_dropped: 0,

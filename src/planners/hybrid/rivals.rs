@@ -44,11 +44,13 @@ impl Config {
         let is_winding = arcs::direction_changes(&report.arcs) > FEW_CHANGES;
         let is_coarse = report.level == 0 && report.margin >= self.margin;
         let is_short = self.profile == Profile::Shortest && (is_winding || !is_coarse);
+        // The same searches would spend their budget again.
+        let is_spent = matches!(report.status, Status::BudgetExhausted(_));
         let mut rivals = Vec::new();
-        if is_short || usual.with_prices_of(&self.with_profile()) != usual {
+        if (is_short && !is_spent) || usual.with_prices_of(&self.with_profile()) != usual {
             rivals.push(self.with_prices_of(&usual));
         }
-        if self.margin < usual.margin {
+        if self.margin < usual.margin && !is_spent {
             rivals.push(Self { margin: usual.margin, ..*self });
         }
         rivals
@@ -68,9 +70,10 @@ pub(super) fn compare(
     mut report: Report,
     search: &mut dyn FnMut(&Config, u32) -> Option<Report>,
 ) -> Report {
-    // That a lattice holds no path by these prices is no proof for the same lattice by others. What spends its budget
-    // by these prices would spend it by others, too.
-    let is_open = matches!(report.status, Status::VerificationFailed | Status::NoPath);
+    // That a lattice holds no path by these prices is no proof for the same lattice by others.
+    let is_open =
+        matches!(report.status, Status::BudgetExhausted(_) | Status::VerificationFailed | Status::NoPath)
+            && !report.are_apart;
     if report.stats.expanded == 0 || (report.arcs.is_empty() && !is_open) {
         return report;
     }

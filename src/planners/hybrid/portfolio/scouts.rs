@@ -33,35 +33,35 @@ impl Turns<'_> {
             && report.stats.expanded >= SENT_AFTER
     }
 
-    /// Sends the scouts. False if more work is vain: the regions of the ends are apart for a coarse search, or for the
-    /// body even if it moved in any direction.
+    /// Sends the scouts. False if more work is vain: the ends are apart for a coarse search, or for the body even if it
+    /// moved in any direction. Whoever asks for a budget gets it spent.
     pub(super) fn scout(&mut self, work: &mut Work) -> bool {
         self.is_scouted = true;
+        let may_end = self.search.config.max_expansions.is_none();
         let guided = |from| Member { from, style: Style::Guided, ..plain(1, self.least()) };
-        let scouts = [guided(From::Hard), guided(From::Far)];
-        let mut is_vain = false;
-        for scout in &scouts[..if self.may_swap { 2 } else { 1 }] {
-            if let Turn::Found = self.search(*scout, SCOUT_EXPANSIONS, work) {
-                self.found_by_scout(*scout, work.report);
+        let [hard, far] = [guided(From::Hard), guided(From::Far)];
+        for scout in if self.may_swap { vec![hard, far] } else { vec![hard] } {
+            if let Turn::Found = self.search(scout, SCOUT_EXPANSIONS, work) {
+                self.found_by_scout(scout, work.report);
                 return true;
             }
-            is_vain = scout.from == From::Hard && self.are_wide_regions_apart(scouts);
-            if is_vain {
+            if may_end && scout == hard && self.are_apart(hard, far) {
+                work.report.are_apart = true;
                 break;
             }
         }
-        if self.search.config.max_expansions.is_none() {
+        if may_end {
             self.effort = self.effort.min(SCOUTED_EXPANSIONS);
         }
-        !self.is_hopeless(work) && !is_vain
+        !self.is_hopeless(work) && !work.report.are_apart
     }
 
-    /// True if the coarse search for the first scout has ended in a wide region without its root, which lies in another
+    /// True if the coarse search for one scout has ended in a wide region without its root, and the root lies in another
     /// wide one.
-    fn are_wide_regions_apart(&self, [first, second]: [Member; 2]) -> bool {
+    fn are_apart(&self, hard: Member, far: Member) -> bool {
         let is_wide = |poses: &PoseHeuristic| poses.states() > WIDE_REGION;
-        let own = self.poses[usize::from(self.is_swapped(first))].get();
+        let own = self.poses[usize::from(self.is_swapped(hard))].get();
         own.is_some_and(|poses| poses.is_closed() && is_wide(poses))
-            && is_wide(&self.pose_heuristic(second, WIDE_REGION + 1))
+            && is_wide(&self.pose_heuristic(far, WIDE_REGION + 1))
     }
 }
