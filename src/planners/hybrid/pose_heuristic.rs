@@ -55,8 +55,8 @@ struct Entry {
 }
 
 impl PoseHeuristic {
-    /// Searches from `target` towards `root`, to which `flood` tells the way. A gear change costs `change` metres; `most`
-    /// states are looked at.
+    /// Searches from `target` towards `root`, to which `flood` tells the way. A gear change costs `change` metres, and
+    /// `most` states are looked at.
     #[inline(never)]
     pub(super) fn new(
         (checker, vehicle): (&CollisionChecker, &Vehicle),

@@ -40,7 +40,7 @@ impl Turns<'_> {
         let may_end = self.search.config.max_expansions.is_none();
         let guided = |from| Member { from, style: Style::Guided, ..plain(1, self.least()) };
         let [hard, far] = [guided(From::Hard), guided(From::Far)];
-        for scout in if self.may_swap { vec![hard, far] } else { vec![hard] } {
+        for scout in [hard, far].into_iter().take(1 + usize::from(self.may_swap)) {
             if let Turn::Found = self.search(scout, SCOUT_EXPANSIONS, work) {
                 self.found_by_scout(scout, work.report);
                 return true;
@@ -56,8 +56,8 @@ impl Turns<'_> {
         !self.is_hopeless(work) && !work.report.are_apart
     }
 
-    /// True if the coarse search for one scout has ended in a wide region without its root, and the root lies in another
-    /// wide one.
+    /// True if the coarse search for one scout has ended in a wide region without its root, and the root lies in
+    /// another wide one.
     fn are_apart(&self, hard: Member, far: Member) -> bool {
         let is_wide = |poses: &PoseHeuristic| poses.states() > WIDE_REGION;
         let own = self.poses[usize::from(self.is_swapped(hard))].get();

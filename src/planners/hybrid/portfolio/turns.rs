@@ -9,9 +9,9 @@
 //! 3. *spent*: the member waits for its next, larger slice;
 //! 4. *lost*: its work proves nothing, and it is dropped; the answer can no longer be a proof.
 //!
-//! Where the levels have found nothing for a while, scouts go ahead (`scouts`). Where nothing is found at all, members for open space follow in two stages, unless a search over all motions of
-//! the body shows that it cannot get through at all. The state is a stage, a list of members and a budget; `rounds`
-//! is the loop.
+//! Where the levels have found nothing for a while, scouts go ahead (`scouts`). Where nothing is found at all, members
+//! for open space follow in two stages, unless a search over all motions of the body shows that it cannot get through.
+//! The state is a stage, a list of members and a budget; `rounds` is the loop.
 
 use core::cell::OnceCell;
 
