@@ -11,5 +11,7 @@ mod properties;
 mod questions;
 mod reverse;
 mod rows;
+#[cfg(not(target_arch = "wasm32"))]
+mod scouts;
 mod tight;
 mod why;
