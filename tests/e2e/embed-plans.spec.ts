@@ -20,6 +20,9 @@ test("planners tell how far they are while they search, and nothing of a scene t
     element.setAttribute("planners", "four eight risk-field hybrid");
     element.scrollIntoView();
     await call("settled");
+    // Brings the complete module, which plans again what the small one has planned, with counts of its own.
+    await call("toSVG");
+    await call("settled");
     // A way out of a dead end to a narrow slot beside a narrow aisle: long for grids and for cars.
     const slow = {
       version: 1,
