@@ -9,8 +9,7 @@
 //! A path with a large margin gives it up, down to what is comfortable, where that saves enough gear changes
 //! (`known_paths`). One with many changes is held against ever finer lattices, and one with very many against two more:
 //! what one misses the next one finds. Where two of them have spent their work in vain, the others would, too, and are
-//! not asked. One that keeps no more than is comfortable is held against the same searches
-//! with its own margin.
+//! not asked. One that keeps no more than is comfortable is held against the same searches with its own margin.
 
 use super::floods::Floods;
 use super::known_paths::changes_to_save;
