@@ -24,6 +24,11 @@ use crate::scenario::resolve::{Geometry, Owner};
 const STEP: f64 = 0.02;
 /// Curvature above the limit by this factor is still the limit.
 const CURVATURE_SLACK: f64 = 1.001;
+/// A motion is judged once it is longer than this, metres, or turns by more, radians, …
+const LEAST_MOTION: f64 = 1e-6;
+/// … and farther out than so many times the distance from the world's origin: poses there are rounded by up to a
+/// quarter of that times the slack of the curvature.
+const LEAST_MOTION_AWAY: f64 = 4.0 * f64::EPSILON / (CURVATURE_SLACK - 1.0);
 /// Largest heading error that counts as arriving as asked, or starting along the heading, radians (5°).
 pub(crate) const HEADING_TOLERANCE: f64 = 0.0873;
 /// A step whose direction differs from the heading by more than this slides, radians.
@@ -188,10 +193,10 @@ impl Motion {
         self.aside += cos * shift.y - sin * shift.x;
     }
 
-    /// The radius, once it is known.
-    fn radius(&mut self) -> Option<f64> {
+    /// The radius, once it is known: when the motion is longer than `least`, metres, or turns by more, radians.
+    fn radius(&mut self, least: f64) -> Option<f64> {
         let turn = self.turn.abs();
-        if self.length <= 1e-6 && turn <= 1e-6 {
+        if self.length <= least && turn <= least {
             return None;
         }
         let radius = if turn < 1e-9 { f64::INFINITY } else { self.length / turn };
@@ -213,10 +218,12 @@ impl Motion {
 /// Fills in turns, slips and the tightest radius. Adjoining tight steps count as one tight turn.
 fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius: f64) {
     let (mut motion, mut tight_before) = (Motion::default(), false);
+    let away = path.first().map_or(0.0, |first| first.x.abs().max(first.y.abs()));
+    let least = LEAST_MOTION + LEAST_MOTION_AWAY * away;
     for (i, pair) in path.windows(2).enumerate() {
         let gear = if directions.get(i).is_some_and(|&d| d < 0) { -1 } else { 1 };
         motion.add(pair[0], pair[1], gear);
-        if let Some(radius) = motion.radius() {
+        if let Some(radius) = motion.radius(least) {
             check.tightest_radius = check.tightest_radius.min(radius);
             let tight = radius * CURVATURE_SLACK < min_radius;
             check.tight_turns += u32::from(tight && !tight_before);

@@ -88,6 +88,30 @@ fn how_finely_a_path_is_sampled_changes_no_verdict() {
     }
 }
 
+/// A million kilometres from the origin poses are a tenth of a micrometre apart.
+#[test]
+fn where_the_world_begins_changes_no_verdict() {
+    let radius = Vehicle::PAPER.min_turning_radius();
+    for (first, tighter, verdict) in [
+        (5e-6, 1.0, Verdict::Ok),
+        (4e-5, 1.0, Verdict::Ok),
+        (3e-4, 1.0, Verdict::Ok),
+        (1.0, 1.01, Verdict::TooTight),
+    ] {
+        for away in [0.0, 1e3, 1e6, 1e9] {
+            let start = Pose::new(away, -away, 0.3);
+            let turned = start.advance(tighter / radius, first);
+            let path = [start, turned, turned.advance(0.0, 3.0)];
+            let mut geometry = scene(path[2], None);
+            geometry.start = start;
+            for corner in &mut geometry.boundary {
+                *corner = Point::new(corner.x + away, corner.y - away);
+            }
+            assert_eq!(run(&geometry, &path, 1).verdict, verdict, "{first} m, {away} m away");
+        }
+    }
+}
+
 #[test]
 fn a_path_that_begins_elsewhere_cannot_be_driven() {
     let path: Vec<Pose> = arc(0.0, 5.0).into_iter().map(|p| Pose { y: p.y + 0.5, ..p }).collect();
