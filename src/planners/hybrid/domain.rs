@@ -3,8 +3,7 @@
 //! A node is a lattice cell; its label is the real-valued pose that reached the cell at the least cost. The cell's
 //! key packs x and y in steps of `Level::xy`, the heading in steps of `Level::yaw`, and the gear; `StateIndex`
 //! gives each key met a dense number. Moves are arcs of length `Level::step` ahead and back, at 2·`steer_samples` +
-//! 1 steering angles that are spread evenly from lock to lock; levels that shuffle also take shorter ones, up to an
-//! obstacle.
+//! 1 steering angles that are spread evenly from lock to lock; some levels also take shorter ones, up to an obstacle.
 //!
 //! ```text
 //! 63        43 42        22 21      3  2    1   0
@@ -51,6 +50,8 @@ const SHUFFLE_CLEARANCE: f64 = 0.1;
 const SHUFFLE_BINS: (f64, f64) = (0.5, math::PI / 36.0);
 /// Moves while shuffling are at least this long, metres.
 const MIN_SHUFFLE_MOVE: f64 = 0.01;
+/// What is left of a blocked move is at least this long, metres.
+const MIN_SHORTENED_MOVE: f64 = 0.02;
 /// A key that no lattice cell has.
 const NO_CELL: u64 = u64::MAX;
 
@@ -207,12 +208,39 @@ impl<'a> StateLattice<'a> {
         reach
     }
 
+    /// True if a primitive is straight or at full lock.
+    fn is_tightest(&self, primitive: &Arc) -> bool {
+        primitive.curvature == 0.0 || self.level.steer_samples == 1
+    }
+
     fn is_primitive_free(&self, from: Pose, arc: &Arc) -> bool {
-        let is_tightest = arc.curvature == 0.0 || self.level.steer_samples == 1;
-        if is_tightest {
+        if self.is_tightest(arc) {
             self.ahead(&self.reach[0], from).is_free(self.checker, arc)
         } else {
             self.free(from, arc)
+        }
+    }
+
+    /// Emits a blocked move as far as it is free.
+    fn shorten<S: Relax<f64, State>>(&self, from: Visit<f64, State>, primitive: &Arc, sink: &mut S) {
+        let State { pose, motion, .. } = from.label;
+        let mut reach = self.ahead(&self.reach[0], pose);
+        let far = if self.is_tightest(primitive) {
+            reach.free_length(self.checker, primitive)
+        } else {
+            self.checker.free_length(pose, primitive, self.level.spacing, self.margin)
+        };
+        if far < MIN_SHORTENED_MOVE {
+            return;
+        }
+        let length = far.copysign(primitive.length);
+        let arc = Arc { length, ..*primitive };
+        let cost = self.costs.arc(motion, &arc);
+        let (end, motion) = (pose.advance_turned(reach.turned(), arc.curvature, length), motion.then(&arc));
+        let node = self.node(end, motion.gear);
+        if sink.improves(node, cost) {
+            let cost = cost + self.costs.places(self.checker, pose, &arc);
+            sink.emit(node, cost, State { pose: end, motion, length });
         }
     }
 
@@ -281,8 +309,13 @@ impl Domain for StateLattice<'_> {
         let mut moves = self.moves.borrow_mut();
         self.list_moves(from, &mut moves);
         for &Move { node, cost, arc, to, .. } in &*moves {
-            if sink.improves(node, cost) && (self.level.shuffle || self.is_primitive_free(pose, &arc)) {
+            if !sink.improves(node, cost) {
+                continue;
+            }
+            if self.level.shuffle || self.is_primitive_free(pose, &arc) {
                 sink.emit(node, cost + self.costs.places(self.checker, pose, &arc), to);
+            } else if IS_COMPLETE && self.level.shortens {
+                self.shorten(from, &arc, sink);
             }
         }
         if IS_COMPLETE && self.level.rock > 0.0 {

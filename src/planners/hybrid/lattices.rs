@@ -53,6 +53,10 @@ pub(super) struct Level {
     pub(super) is_from_both: bool,
     /// True if arcs of its paths may change their lengths until they keep no more than the margin.
     pub(super) descends: bool,
+    /// True if a move that something blocks ends before that.
+    pub(super) shortens: bool,
+    /// A path with more gear changes is of no use, and is no longer improved once that saves none.
+    pub(super) useful_changes: u32,
 }
 
 impl Level {
@@ -60,6 +64,12 @@ impl Level {
     /// curve saves.
     pub(super) fn trying_all(self) -> Self {
         Self { connect_every: 1, connect_distance: f64::INFINITY, ..self }
+    }
+
+    /// The same where moves that something blocks end before that. With moves of one length the last before a
+    /// neighbour leaves some room unused, now more and now less.
+    pub(super) fn shortening(self) -> Self {
+        Self { shortens: true, ..self }
     }
 
     /// The same with cells, bins and steps of half the size.
@@ -179,6 +189,8 @@ impl Config {
             rock: 0.0,
             is_from_both: self.search_from == SearchFrom::Both,
             descends: true,
+            shortens: false,
+            useful_changes: u32::MAX,
         };
         if shuffle {
             return level;

@@ -336,7 +336,7 @@ impl Search<'_> {
         }
         let costs = self.costs().with_far_reverse(level.far_reverse);
         let rules = shortcut::Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        improvement::improved(rules, self.start, arcs.to_vec(), level.descends)
+        improvement::improved(rules, self.start, arcs.to_vec(), level.descends, level.useful_changes)
     }
 
     /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. The least margin is what

@@ -9,13 +9,17 @@
 //! is passed in a few steps, and only near obstacles the samples lie `spacing` apart.
 //!
 //! What is known of a motion is an interval: free up to one length, blocked from another on. A question between the
-//! two costs one check, a longer one extends the interval, and all others cost nothing.
+//! two costs one check, a longer one extends the interval, and all others cost nothing. How far the body can go is
+//! found by halving the interval.
 
 use super::CollisionChecker;
 use super::checker::{CONTACT, Placement};
 use crate::geometry::arcs::Arc;
 use crate::geometry::reeds_shepp::Word;
 use crate::geometry::{Pose, math};
+
+/// Where a motion is blocked is told to such a part of the distance of its samples.
+const PRECISION: f64 = 1.0 / 16.0;
 
 /// How motions are sampled.
 #[derive(Debug, Clone, Copy)]
@@ -55,6 +59,12 @@ pub struct Reach {
     motions: [Motion; 6],
 }
 
+/// Which of the six motions an arc belongs to.
+fn number(arc: &Arc) -> usize {
+    let side = if arc.curvature == 0.0 { 0 } else { 1 + usize::from(arc.curvature < 0.0) };
+    2 * side + usize::from(arc.length < 0.0)
+}
+
 impl Reach {
     /// An empty memory: no motion has been followed yet.
     pub fn new(from: Pose, sampling: Sampling) -> Self {
@@ -78,8 +88,7 @@ impl Reach {
             return false;
         }
         let length = arc.length.abs();
-        let side = if arc.curvature == 0.0 { 0 } else { 1 + usize::from(arc.curvature < 0.0) };
-        let which = 2 * side + usize::from(arc.length < 0.0);
+        let which = number(arc);
         let mut motion = self.motions[which];
         if length > motion.free && motion.blocked == 0.0 {
             motion = self.follow(checker, arc, motion.free);
@@ -88,10 +97,39 @@ impl Reach {
         if length <= motion.free || (motion.blocked != 0.0 && length >= motion.blocked) {
             return length <= motion.free;
         }
-        let (sin, cos) = math::sin_cos(self.from.heading + arc.curvature * arc.length);
-        let end = self.start.along(arc.curvature, arc.length, sin, cos);
         checker.count(1);
-        checker.is_free_at(end, self.sampling.margin)
+        self.is_free_after(checker, arc, arc.length)
+    }
+
+    /// How far the body can go along an arc from the pose, at full lock or straight, metres without sign. What is
+    /// blocked begins within a sixteenth of the samples' spacing behind that. It is 0 for an arc that leaves the corridor.
+    pub fn free_length(&mut self, checker: &CollisionChecker, arc: &Arc) -> f64 {
+        let whole = arc.length.abs();
+        if self.is_free(checker, arc) {
+            return whole;
+        }
+        if !checker.corridor_holds(self.from, arc) {
+            return 0.0;
+        }
+        let Motion { free, blocked } = self.motions[number(arc)];
+        let (mut free, mut blocked) = (free, if blocked == 0.0 { whole } else { blocked.min(whole) });
+        while blocked - free > PRECISION * self.sampling.spacing {
+            let middle = (free + blocked) / 2.0;
+            checker.count(1);
+            if self.is_free_after(checker, arc, middle.copysign(arc.length)) {
+                free = middle;
+            } else {
+                blocked = middle;
+            }
+        }
+        self.motions[number(arc)] = Motion { free, blocked };
+        free
+    }
+
+    /// True if the body is free where it stands after some metres, with sign, of an arc from the pose.
+    fn is_free_after(&self, checker: &CollisionChecker, arc: &Arc, length: f64) -> bool {
+        let (sin, cos) = math::sin_cos(self.from.heading + arc.curvature * length);
+        checker.is_free_at(self.start.along(arc.curvature, length, sin, cos), self.sampling.margin)
     }
 
     /// True if the body is free along a word that leads from this pose to that of `back`, for turning radius `radius`.

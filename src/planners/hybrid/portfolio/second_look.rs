@@ -8,8 +8,12 @@
 //!
 //! A path with a large margin gives it up, down to what is comfortable, where that saves enough gear changes
 //! (`known_paths`). One with many changes is held against ever finer lattices, and one with very many against two more:
-//! what one misses the next one finds. Where two of them have spent their work in vain, the others would, too, and are
-//! not asked. One that keeps no more than is comfortable is held against the same searches with its own margin.
+//! what one misses the next one finds. Most of them shorten the moves that something blocks: what a fixed step leaves of
+//! a slot's room falls and rises with the length of the slot, and a longer one must not take more changes for that. A
+//! path that keeps no more than is comfortable is held against the same searches with its own margin.
+//!
+//! The others are not asked where two have spent their work in vain, nor where no more than very many changes are left
+//! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more.
 
 use super::floods::Floods;
 use super::known_paths::changes_to_save;
@@ -35,10 +39,10 @@ const VERY_MANY_CHANGES: u32 = 8;
 const EXPANSIONS_PER_CHANGE: u32 = 5000;
 /// Where so many searches on fine lattices spend their work in vain, the others are not asked.
 const MOST_IN_VAIN: u32 = 2;
-/// The level that is refined, …
+/// The level that is refined.
 const FINEST_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
-/// … and which of the refined lattices is asked from four gear changes on.
-const FIRST_REFINED: usize = 3;
+/// The lattices of levels below are soon searched, and what they miss or save tells little of the next ones.
+const FIRST_FINE_LEVEL: u32 = 2;
 /// Lattices with larger cells are coarse, metres.
 const COARSE: f64 = 0.06;
 /// A path may cost so many times what is left of it after the shortcut.
@@ -65,35 +69,57 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     let few = if less > kept { FEW_CHANGES } else { MANY_CHANGES };
     let searches = [
         (coarsest, FEW_CHANGES),
-        (fine(config.level(2), 2), few),
-        (fine(config.level(3), 3), MANY_CHANGES),
-        (fine(finest.between(config), FINEST_LEVEL), few),
-        (refined(FIRST_REFINED), MANY_CHANGES - 1),
-        (refined(1), VERY_MANY_CHANGES),
+        (fine(config.level(1).shortening(), 1), few),
+        (fine(config.level(2).shortening(), 2), few),
+        (fine(config.level(3).shortening(), 3), MANY_CHANGES - 1),
+        (fine(finest.between(config).shortening(), FINEST_LEVEL), MANY_CHANGES),
         (refined(2), VERY_MANY_CHANGES),
+        (refined(3), VERY_MANY_CHANGES),
     ];
     let mut in_vain = 0;
     for (level, few) in searches {
-        if in_vain < MOST_IN_VAIN && changes(work.report) > few {
-            let is_spent = attempt((search, floods), level, less, changes_to_save(work.report), work);
-            in_vain += u32::from(is_spent && level.1 != coarsest.1);
+        if changes(work.report) <= few {
+            continue;
+        }
+        let outcome = attempt((search, floods), level, less, changes_to_save(work.report), work);
+        let number = level.1;
+        let is_settled = match outcome {
+            Outcome::Better => number >= FIRST_FINE_LEVEL,
+            Outcome::NoPath => number > FIRST_FINE_LEVEL,
+            Outcome::Spent | Outcome::NoBetter => false,
+        };
+        in_vain += u32::from(outcome == Outcome::Spent && number > 0);
+        if in_vain == MOST_IN_VAIN || (is_settled && changes(work.report) <= VERY_MANY_CHANGES) {
+            break;
         }
     }
+}
+
+/// How one more search ended.
+#[derive(Clone, Copy, PartialEq)]
+enum Outcome {
+    /// Its path was taken.
+    Better,
+    /// It found one that is not worth it.
+    NoBetter,
+    /// It has searched all that might be worth it.
+    NoPath,
+    /// It has spent its work.
+    Spent,
 }
 
 fn changes(report: &Report) -> u32 {
     arcs::direction_changes(&report.arcs)
 }
 
-/// Takes the path of one more search, if it costs less and saves so many gear changes; tells whether that search spent
-/// its work in vain.
+/// Takes the path of one more search, if it costs less and saves so many gear changes.
 fn attempt(
     (search, floods): (Search, &Floods),
     (level, number, most): (Level, u32, u32),
     margin: usize,
     saved: u32,
     work: &mut Work,
-) -> bool {
+) -> Outcome {
     let config = search.config;
     let is_swapped = work.report.from_goal != search.mirrored;
     let flood = floods.get(margin, is_swapped);
@@ -108,6 +134,7 @@ fn attempt(
     let level = Level {
         max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
+        useful_changes: before.saturating_sub(saved),
         extra_change: MANY_CHANGES_COST,
         ..level.cheaply_tried(&config.level(0))
     };
@@ -120,11 +147,16 @@ fn attempt(
     let is_better = search.level(Level { bound, ..level }, work)
         && changes(work.report) + saved <= changes(&known)
         && work.report.cost < known.cost;
-    let is_spent = matches!(work.report.status, Status::BudgetExhausted(_));
+    let outcome = match work.report.status {
+        _ if is_better => Outcome::Better,
+        Status::BudgetExhausted(_) => Outcome::Spent,
+        Status::NoPath => Outcome::NoPath,
+        _ => Outcome::NoBetter,
+    };
     if is_better {
         work.report.status = Status::Suboptimal;
     } else {
         *work.report = work.report.with_path_of(known);
     }
-    !is_better && is_spent
+    outcome
 }

@@ -147,6 +147,13 @@ fn what_a_gap_tells_is_what_every_pose_tells() {
             let mut reach = Reach::new(from, Sampling::new(spacing, 0.1, car.min_turning_radius()));
             assert_eq!(count(&mut || reach.is_free(&checker, &arc)), want, "{from:?} {arc:?}");
             poses += want.1;
+            // What it learns of a motion does not depend on what it was asked before.
+            let far = reach.free_length(&checker, &arc);
+            let [end, behind] =
+                [far, far + spacing / 16.0].map(|far| Arc { length: far.copysign(arc.length), ..arc });
+            assert!(far == 0.0 || reach.is_free(&checker, &end), "{from:?} {arc:?} {far}");
+            assert_eq!(far < arc.length.abs(), !want.0, "{from:?} {arc:?} {far}");
+            assert!(want.0 || !reach.is_free(&checker, &behind), "{from:?} {arc:?} {far}");
         }
     }
     assert!(poses > 150_000 && free > 5000 && blocked > 5000, "{poses} {free} {blocked}");
