@@ -218,7 +218,7 @@ impl Motion {
 /// Fills in turns, slips and the tightest radius. Adjoining tight steps count as one tight turn.
 fn check_motion(check: &mut Check, path: &[Pose], directions: &[i8], min_radius: f64) {
     let (mut motion, mut tight_before) = (Motion::default(), false);
-    let away = path.first().map_or(0.0, |first| first.x.abs().max(first.y.abs()));
+    let away = path.first().map_or(0.0, |first| first.x.abs() + first.y.abs());
     let least = LEAST_MOTION + LEAST_MOTION_AWAY * away;
     for (i, pair) in path.windows(2).enumerate() {
         let gear = if directions.get(i).is_some_and(|&d| d < 0) { -1 } else { 1 };

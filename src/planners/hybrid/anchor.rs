@@ -204,7 +204,7 @@ impl Old<'_> {
         let path = joining.mended(start, split(&path))?;
         let rules = shortcut::Rules { checker, costs: &self.costs, spacing: CHECK_SPACING, margin };
         let path = arcs::merge(path);
-        let path = if self.cuts { improvement::improved(rules, start, path, true, u32::MAX) } else { path };
+        let path = if self.cuts { improvement::improved(rules, start, path, true) } else { path };
         Some(self.answer(path, checker))
     }
 

@@ -31,7 +31,7 @@ use core::cell::{Cell, RefCell, RefMut};
 use super::analytic_expansion::{Recorder, take_cheapest};
 use super::config::{Config, Heuristic};
 use super::cost::CostModel;
-use super::lattices::Level;
+use super::lattices::{Lengths, Level};
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::pose_heuristic::PoseHeuristic;
 use super::state::State;
@@ -185,7 +185,7 @@ impl<'a> StateLattice<'a> {
     /// The key of a pose's cell, as drawn at the head of this file. Where the body has room while shuffling, bins are
     /// coarser, and a bit of the key says so: the same place has then another key than with finer bins.
     fn key(&self, pose: Pose, gear: i8) -> u64 {
-        let clear_by = self.level.shuffle && self.checker.clear_by(pose, SHUFFLE_CLEARANCE);
+        let clear_by = self.level.shuffles() && self.checker.clear_by(pose, SHUFFLE_CLEARANCE);
         let (xy, yaw) = if clear_by { SHUFFLE_BINS } else { (self.level.xy, self.level.yaw) };
         // The offset keeps what lies left of or below the origin positive.
         let cell = |v: f64| (v / xy + f64::from(1 << 20)) as u64 & 0x1f_ffff;
@@ -247,7 +247,7 @@ impl<'a> StateLattice<'a> {
     /// How far to drive along a primitive: its length or, while shuffling, until something is in the way, and half as
     /// far.
     fn lengths(&self, from: Pose, arc: &Arc) -> [f64; 2] {
-        if !self.level.shuffle {
+        if !self.level.shuffles() {
             return [arc.length, 0.0];
         }
         let far = self.checker.free_length(from, arc, self.level.spacing, self.margin);
@@ -312,9 +312,9 @@ impl Domain for StateLattice<'_> {
             if !sink.improves(node, cost) {
                 continue;
             }
-            if self.level.shuffle || self.is_primitive_free(pose, &arc) {
+            if self.level.shuffles() || self.is_primitive_free(pose, &arc) {
                 sink.emit(node, cost + self.costs.places(self.checker, pose, &arc), to);
-            } else if IS_COMPLETE && self.level.shortens {
+            } else if IS_COMPLETE && self.level.lengths == Lengths::Shortened {
                 self.shorten(from, &arc, sink);
             }
         }

@@ -21,14 +21,8 @@ const MAX_ROUNDS: u32 = 4;
 ///
 /// Start and end pose stay as they are to rounding, and the cost never rises. `path` must be free by the same rules;
 /// what is not replaced is not checked again. Without the descent a path stays as far from obstacles as its curves
-/// lead. The small module has none. A path with more than `useful_changes` that a round saves none is left at that.
-pub(super) fn improved(
-    rules: Rules,
-    start: Pose,
-    path: Vec<Arc>,
-    descends: bool,
-    useful_changes: u32,
-) -> Vec<Arc> {
+/// lead. The small module has none.
+pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, descends: bool) -> Vec<Arc> {
     let mut path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS);
     if !IS_COMPLETE || !descends || arcs::direction_changes(&path) < FEW_CHANGES {
         return path;
@@ -36,11 +30,9 @@ pub(super) fn improved(
     let cost = |path: &[Arc]| rules.costs.path(rules.checker, start, path);
     let mut before = cost(&path);
     for _ in 0..MAX_ROUNDS {
-        let changes = arcs::direction_changes(&path);
         path = longer_moves::lengthen(rules, start, descent::descend(rules, start, path));
         let after = cost(&path);
-        let is_useless = changes > useful_changes && arcs::direction_changes(&path) == changes;
-        if is_useless || after > SETTLED * before {
+        if after > SETTLED * before {
             break;
         }
         path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS[..1]);

@@ -14,6 +14,17 @@ use super::config::{Config, LEVEL_COUNT, SearchFrom};
 /// Levels from this one on are for cars that can hardly move.
 pub(super) const FIRST_SHUFFLING_LEVEL: u32 = 5;
 
+/// How far a move leads along its primitive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Lengths {
+    /// To its end; a move that something blocks is left out.
+    Fixed,
+    /// To its end, or as far as it is free where something blocks it.
+    Shortened,
+    /// For a car that can hardly move: until something is in the way, to its end at most, and half as far.
+    Shuffling,
+}
+
 /// One resolution of the lattice.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
@@ -42,21 +53,17 @@ pub(super) struct Level {
     /// States that took more gear changes than this are left out.
     pub(super) most_changes: u8,
     /// Every so-many-th state is tried with a curve to the target: on a fine lattice neighbours see the same.
-    pub(super) connect_every: u32,
+    pub(super) connect_every: u8,
     /// One more of them is passed over for each so many metres to the target; none where this is infinite.
     pub(super) connect_distance: f64,
-    /// True if a car that can hardly move drives as far as it can each time, `step` at most.
-    pub(super) shuffle: bool,
+    /// How far a move leads, `step` at most.
+    pub(super) lengths: Lengths,
     /// Turn of a rock, radians; 0 where the car does not rock.
     pub(super) rock: f64,
     /// True if two trees grow, one from each end.
     pub(super) is_from_both: bool,
     /// True if arcs of its paths may change their lengths until they keep no more than the margin.
     pub(super) descends: bool,
-    /// True if a move that something blocks ends before that.
-    pub(super) shortens: bool,
-    /// A path with more gear changes is of no use, and is no longer improved once that saves none.
-    pub(super) useful_changes: u32,
 }
 
 impl Level {
@@ -69,7 +76,12 @@ impl Level {
     /// The same where moves that something blocks end before that. With moves of one length the last before a
     /// neighbour leaves some room unused, now more and now less.
     pub(super) fn shortening(self) -> Self {
-        Self { shortens: true, ..self }
+        Self { lengths: Lengths::Shortened, ..self }
+    }
+
+    /// True if it is for a car that can hardly move.
+    pub(super) fn shuffles(&self) -> bool {
+        self.lengths == Lengths::Shuffling
     }
 
     /// The same with cells, bins and steps of half the size.
@@ -142,7 +154,7 @@ const ROCK_BINS: f64 = 2.0;
 /// The finer lattice of those that rock: metres, degrees, metres, and the weight of the estimate.
 const FINE_ROCKING: (f64, f64, f64, f64) = (0.06, 0.75, 0.1, 3.0);
 /// Every so-many-th state is tried with a curve to the target while the car may rock.
-const ROCKING_CONNECT_EVERY: u32 = 16;
+const ROCKING_CONNECT_EVERY: u8 = 16;
 
 /// One more state is passed over for each so many metres to the target before the next is tried with a curve to it.
 const CONNECT_DISTANCE: f64 = 5.0;
@@ -169,7 +181,7 @@ impl Config {
             _ => (0.03, 0.5, 1.0, 1, 0.05, 8_000, 1.2),
         };
         let shuffle = number >= FIRST_SHUFFLING_LEVEL;
-        let connect_every = if shuffle { 1 } else { (2 * number).max(1) };
+        let connect_every = if shuffle { 1 } else { (2 * number).max(1) as u8 };
         let level = Level {
             xy,
             yaw: yaw * DEGREE,
@@ -185,12 +197,10 @@ impl Config {
             most_changes: u8::MAX,
             connect_every,
             connect_distance: if self.first_shot { f64::INFINITY } else { CONNECT_DISTANCE },
-            shuffle,
+            lengths: if shuffle { Lengths::Shuffling } else { Lengths::Fixed },
             rock: 0.0,
             is_from_both: self.search_from == SearchFrom::Both,
             descends: true,
-            shortens: false,
-            useful_changes: u32::MAX,
         };
         if shuffle {
             return level;

@@ -273,7 +273,7 @@ impl Search<'_> {
         let tree = self.trace.then(|| Tree::new(self, work.progress.as_ref()));
         let recorder = self.trace.then(|| RefCell::new(Recorder::new(self.origin())));
         (work.report.from_goal, work.report.resolution) = (self.mirrored, (level.xy, level.yaw));
-        if IS_COMPLETE && level.is_from_both && !level.shuffle && self.goals.is_empty() {
+        if IS_COMPLETE && level.is_from_both && !level.shuffles() && self.goals.is_empty() {
             let mut tree = tree;
             let found = super::bidirectional::search(self, level, work, &mut tree, recorder.as_ref());
             work.report.keep(tree, recorder.as_ref());
@@ -295,8 +295,10 @@ impl Search<'_> {
         };
         let mut lattice =
             StateLattice::new(setting, self.query.vehicle, self.config, level, self.target, report.margin);
-        let limits =
-            Limits { max_expansions: level.max_expansions, first: self.config.first_shot || level.shuffle };
+        let limits = Limits {
+            max_expansions: level.max_expansions,
+            first: self.config.first_shot || level.shuffles(),
+        };
         let root = lattice.root(self.root);
         let mut observer = (tree, progress.as_mut());
         let found = if IS_COMPLETE && let Some(limit) = scratch.recorded_steps {
@@ -324,7 +326,7 @@ impl Search<'_> {
         };
         let arcs = state::path(&scratch.search.chain(last), &tail, radius);
         let arcs = if self.mirrored { arcs::reversed(&arcs) } else { arcs };
-        let unproven = level.shuffle || found.end == End::BudgetSpent;
+        let unproven = level.shuffles() || found.end == End::BudgetSpent;
         let status = if unproven { Status::Suboptimal } else { Status::Found };
         Some((arcs, status))
     }
@@ -336,7 +338,7 @@ impl Search<'_> {
         }
         let costs = self.costs().with_far_reverse(level.far_reverse);
         let rules = shortcut::Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        improvement::improved(rules, self.start, arcs.to_vec(), level.descends, level.useful_changes)
+        improvement::improved(rules, self.start, arcs.to_vec(), level.descends)
     }
 
     /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. The least margin is what

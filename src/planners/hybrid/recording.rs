@@ -93,7 +93,7 @@ impl PoseRecording {
 impl Told for StateLattice<'_> {
     fn consider(&self, from: Visit<f64, State>, tell: &mut dyn FnMut(NodeId, f64, State, Option<Fate>)) {
         // While shuffling a move ends where something is in the way.
-        if self.is_before_roots(&from) || self.level.shuffle {
+        if self.is_before_roots(&from) || self.level.shuffles() {
             return;
         }
         let mut moves = Vec::new();

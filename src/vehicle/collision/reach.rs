@@ -101,8 +101,8 @@ impl Reach {
         self.is_free_after(checker, arc, arc.length)
     }
 
-    /// How far the body can go along an arc from the pose, at full lock or straight, metres without sign. What is
-    /// blocked begins within a sixteenth of the samples' spacing behind that. It is 0 for an arc that leaves the corridor.
+    /// How far the body can go along an arc from the pose, at full lock or straight, metres without sign; 0 where the
+    /// arc leaves the corridor. What is blocked begins within a sixteenth of the samples' spacing behind that.
     pub fn free_length(&mut self, checker: &CollisionChecker, arc: &Arc) -> f64 {
         let whole = arc.length.abs();
         if self.is_free(checker, arc) {
@@ -114,7 +114,7 @@ impl Reach {
         let Motion { free, blocked } = self.motions[number(arc)];
         let (mut free, mut blocked) = (free, if blocked == 0.0 { whole } else { blocked.min(whole) });
         while blocked - free > PRECISION * self.sampling.spacing {
-            let middle = (free + blocked) / 2.0;
+            let middle = f64::midpoint(free, blocked);
             checker.count(1);
             if self.is_free_after(checker, arc, middle.copysign(arc.length)) {
                 free = middle;

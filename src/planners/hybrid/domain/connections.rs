@@ -18,7 +18,7 @@ impl StateLattice<'_> {
     /// Every so-many-th state as far from the target as this one is tried with a curve to it. From afar nearly all
     /// curves hit something, and neighbours see the same.
     pub(super) fn connect_every(&self, at: Pose) -> u32 {
-        let least = self.level.connect_every;
+        let least = u32::from(self.level.connect_every);
         if self.asked <= FIRST_TRIED {
             return least;
         }

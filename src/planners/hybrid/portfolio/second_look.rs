@@ -8,9 +8,9 @@
 //!
 //! A path with a large margin gives it up, down to what is comfortable, where that saves enough gear changes
 //! (`known_paths`). One with many changes is held against ever finer lattices, and one with very many against two more:
-//! what one misses the next one finds. Most of them shorten the moves that something blocks: what a fixed step leaves of
-//! a slot's room falls and rises with the length of the slot, and a longer one must not take more changes for that. A
-//! path that keeps no more than is comfortable is held against the same searches with its own margin.
+//! what one misses the next one finds. Most of them shorten the moves that something blocks: what a fixed step leaves
+//! of a slot's room falls and rises with the length of the slot, and a longer one must not take more changes for that.
+//! A path that keeps no more than is comfortable is held against the same searches with its own margin.
 //!
 //! The others are not asked where two have spent their work in vain, nor where no more than very many changes are left
 //! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more.
@@ -134,7 +134,6 @@ fn attempt(
     let level = Level {
         max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
-        useful_changes: before.saturating_sub(saved),
         extra_change: MANY_CHANGES_COST,
         ..level.cheaply_tried(&config.level(0))
     };
