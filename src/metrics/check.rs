@@ -26,8 +26,8 @@ const STEP: f64 = 0.02;
 const CURVATURE_SLACK: f64 = 1.001;
 /// A motion is judged once it is longer than this, metres, or turns by more, radians, …
 const LEAST_MOTION: f64 = 1e-6;
-/// … and farther out than so many times the distance from the world's origin: poses there are rounded by up to a
-/// quarter of that times the slack of the curvature.
+/// … and by this part of the distance from the world's origin more: poses are rounded there, and a shorter motion would
+/// seem to turn tighter by more than the slack.
 const LEAST_MOTION_AWAY: f64 = 4.0 * f64::EPSILON / (CURVATURE_SLACK - 1.0);
 /// Largest heading error that counts as arriving as asked, or starting along the heading, radians (5°).
 pub(crate) const HEADING_TOLERANCE: f64 = 0.0873;
