@@ -37,11 +37,11 @@ const FINEST_EXPANSIONS: u32 = 16_000;
 const VERY_MANY_CHANGES: u32 = 8;
 /// … so many expansions for each of them.
 const EXPANSIONS_PER_CHANGE: u32 = 5000;
-/// Where so many searches on fine lattices spend their work in vain, the others are not asked.
+/// Where so many searches beyond the coarsest spend their work in vain, the others are not asked.
 const MOST_IN_VAIN: u32 = 2;
 /// The level that is refined.
 const FINEST_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
-/// The lattices of levels below are soon searched, and what they miss or save tells little of the next ones.
+/// Lattices of lower levels are soon searched, and what they miss or save tells little of the next ones.
 const FIRST_FINE_LEVEL: u32 = 2;
 /// Lattices with larger cells are coarse, metres.
 const COARSE: f64 = 0.06;

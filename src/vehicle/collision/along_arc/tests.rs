@@ -147,7 +147,7 @@ fn what_a_gap_tells_is_what_every_pose_tells() {
             let mut reach = Reach::new(from, Sampling::new(spacing, 0.1, car.min_turning_radius()));
             assert_eq!(count(&mut || reach.is_free(&checker, &arc)), want, "{from:?} {arc:?}");
             poses += want.1;
-            // What it learns of a motion does not depend on what it was asked before.
+            // The body is free as far as it is said to go, and blocked a sixteenth of the spacing on.
             let far = reach.free_length(&checker, &arc);
             let [end, behind] =
                 [far, far + spacing / 16.0].map(|far| Arc { length: far.copysign(arc.length), ..arc });
