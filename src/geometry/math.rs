@@ -6,7 +6,7 @@
 //! methods of `f64`.
 
 pub use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
-pub use libm::{acos, asin, atan, atan2, exp, hypot, log as ln, sincos as sin_cos, tan};
+pub use libm::{atan, atan2, exp, hypot, log as ln, sincos as sin_cos, tan};
 
 /// The sine of an angle.
 pub fn sin(a: f64) -> f64 {
@@ -16,6 +16,18 @@ pub fn sin(a: f64) -> f64 {
 /// The cosine of an angle.
 pub fn cos(a: f64) -> f64 {
     sin_cos(a).1
+}
+
+/// The angle in [0, π] with this cosine, which lies in [−1, 1].
+///
+/// That of `libm` takes a square root, and on WebAssembly without the instruction for it.
+pub fn acos(cos: f64) -> f64 {
+    2.0 * atan(((1.0 - cos) / (1.0 + cos)).sqrt())
+}
+
+/// The angle in [−π/2, π/2] with this sine, which lies in [−1, 1].
+pub fn asin(sin: f64) -> f64 {
+    atan(sin / ((1.0 - sin) * (1.0 + sin)).sqrt())
 }
 
 /// The same direction in (−π, π]. Angles that lie there already keep their bits.
@@ -74,6 +86,16 @@ mod tests {
         let items = [(2.0, 'a'), (-1.0, 'b'), (2.0, 'c'), (-3.5, 'd'), (0.0, 'e')];
         let order: String = sorted_by(&items, |i| i.0).into_iter().map(|i| i.1).collect();
         assert_eq!(order, "dbeac");
+    }
+
+    #[test]
+    fn angles_of_sines_and_cosines_are_those_of_libm() {
+        for part in -1000..=1000 {
+            let x = f64::from(part) / 1000.0;
+            assert!((acos(x) - libm::acos(x)).abs() < 1e-15, "acos {x}");
+            assert!((asin(x) - libm::asin(x)).abs() < 1e-15, "asin {x}");
+        }
+        assert_eq!((acos(1.0), acos(-1.0), asin(1.0), asin(-1.0)), (0.0, PI, FRAC_PI_2, -FRAC_PI_2));
     }
 
     #[test]

@@ -21,5 +21,6 @@ pub use pose::Pose;
 
 /// A point, metres.
 pub type Point = nalgebra::Point2<f64>;
-/// A displacement, metres.
+/// A displacement, metres. Where its length is asked for often, `norm_squared().sqrt()` tells it: `norm` takes the root
+/// from `libm`, which has no instruction for that in WebAssembly.
 pub type Vector = nalgebra::Vector2<f64>;

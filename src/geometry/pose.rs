@@ -75,11 +75,13 @@ impl Pose {
 
     /// [`Pose::advance`] from a pose whose heading has this sine and cosine.
     #[must_use]
+    #[inline]
     pub(crate) fn advance_turned(self, turned: (f64, f64), curvature: f64, length: f64) -> Self {
         self.advance_turning(turned, curvature, length).0
     }
 
     /// [`Pose::advance_turned`], with sine and cosine of the new heading.
+    #[inline]
     pub(crate) fn advance_turning(
         self,
         (s0, c0): (f64, f64),

@@ -42,7 +42,6 @@ pub(super) fn squared_to_segment(p: Point, a: Point, b: Point) -> f64 {
     let ab = b - a;
     let length2 = ab.norm_squared();
     let t = if length2 > 0.0 { ((p - a).dot(&ab) / length2).clamp(0.0, 1.0) } else { 0.0 };
-    // `norm` is slow in wasm: nalgebra takes roots from libm.
     (p - (a + ab * t)).norm_squared()
 }
 

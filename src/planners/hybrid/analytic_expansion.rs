@@ -18,14 +18,14 @@ use crate::vehicle::collision::CollisionChecker;
 /// Connections that are kept.
 const MAX_RECORDED: usize = 4000;
 
-/// Removes the cheapest of some connections, the first of equal ones.
-pub(super) fn take_cheapest(words: &mut Vec<(f64, Word)>) -> Option<(f64, Word)> {
-    let first = words.first()?.0;
+/// The cheapest of some connections, the first of equal ones. It is taken: its cost is infinite from then on.
+pub(super) fn take_cheapest(words: &mut [(f64, Word)]) -> Option<(f64, Word)> {
     let cheaper = |best: (usize, f64), (i, word): (usize, &(f64, Word))| {
         if word.0 < best.1 { (i, word.0) } else { best }
     };
-    let (index, _) = words.iter().enumerate().fold((0, first), cheaper);
-    Some(words.remove(index))
+    let (index, cost) = words.iter().enumerate().fold((0, f64::INFINITY), cheaper);
+    let word = words.get_mut(index).filter(|_| cost < f64::INFINITY)?;
+    Some(core::mem::replace(word, (f64::INFINITY, word.1)))
 }
 
 /// Failed connections, at most one an expansion: the cheapest that was tried.

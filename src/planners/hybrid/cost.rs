@@ -71,12 +71,14 @@ pub(super) struct Motion {
 
 impl Motion {
     /// How the car moves at the end of an arc.
+    #[inline]
     pub(super) fn after(arc: &Arc) -> Self {
         let gear = if arc.length < 0.0 { -1 } else { 1 };
         Self { gear, is_rock: false, changes: 0, curvature: arc.curvature }
     }
 
     /// The same as after `arc`, with the gear changes counted.
+    #[inline]
     pub(super) fn then(self, arc: &Arc) -> Self {
         let next = Self::after(arc);
         let changed = u8::from(self.gear * next.gear < 0);
@@ -141,6 +143,7 @@ impl CostModel {
     }
 
     /// Cost of `arc` after `before`, obstacles aside.
+    #[inline]
     pub(super) fn arc(&self, before: Motion, arc: &Arc) -> f64 {
         let backwards = arc.length < 0.0;
         let weight = if self.in_reverse(arc) { self.reverse } else { 1.0 };
@@ -174,7 +177,11 @@ impl CostModel {
     /// with the middle of the rear axle over cells whose weight is above 1.
     pub(super) fn places(&self, checker: &CollisionChecker, from: Pose, arc: &Arc) -> f64 {
         let reverse = self.in_reverse(arc);
-        let far_reverse = if reverse { self.far_reverse } else { 0.0 };
+        let far_reverse = if reverse && !self.is_near_an_end(from.point(), arc.length.abs()) {
+            self.far_reverse
+        } else {
+            0.0
+        };
         if far_reverse == 0.0 && self.obstacle == 0.0 && checker.paint().is_none() {
             return 0.0;
         }
@@ -188,17 +195,22 @@ impl CostModel {
                 let room = checker.clearance(pose, self.obstacle_distance) / self.obstacle_distance;
                 near += (1.0 - room).max(0.0) * (1.0 - room).max(0.0);
             }
-            if far_reverse != 0.0 && self.ends.iter().all(|&end| (pose.point() - end).norm() > MANOEUVRE) {
+            if far_reverse != 0.0 && !self.is_near_an_end(pose.point(), 0.0) {
                 far += 1.0;
             }
             if let Some(paint) = checker.paint() {
-                let chord = (pose.point() - last.point()).norm();
+                let chord = (pose.point() - last.point()).norm_squared().sqrt();
                 painted += (paint.along(last.point(), pose.point()) - chord).max(0.0);
             }
             last = pose;
         }
         let weight = if reverse { self.reverse } else { 1.0 };
         (self.obstacle * near + far_reverse * far) * part.abs() + weight * painted
+    }
+
+    /// True if what is no farther than this from a place, metres, belongs to the manoeuvre at one of the ends.
+    fn is_near_an_end(&self, place: Point, around: f64) -> bool {
+        self.ends.iter().any(|&end| (place - end).norm_squared().sqrt() + around <= MANOEUVRE)
     }
 
     /// Cost of a whole path from `start`.

@@ -74,6 +74,7 @@ struct Stand {
 }
 
 impl Stand {
+    #[inline]
     fn after(self, arc: &Arc, length: f64) -> Self {
         let (pose, turned) = self.pose.advance_turning(self.turned, arc.curvature, length);
         Self { pose, turned }
@@ -300,6 +301,7 @@ impl<'a> Path<'a> {
     }
 
     /// How `end` moves as an arc grows.
+    #[inline]
     fn column(&self, end: Stand, arc: usize) -> Column {
         column(end, self.stands[arc + 1], &self.arcs[arc])
     }
@@ -361,6 +363,7 @@ fn follow(stands: &mut [Stand], arcs: &[Arc]) {
 }
 
 /// How `end` moves as an arc grows that ends at `at`.
+#[inline]
 fn column(Stand { pose: end, .. }: Stand, at: Stand, arc: &Arc) -> Column {
     let Stand { pose: at, turned: (sin, cos) } = at;
     [cos - arc.curvature * (end.y - at.y), sin + arc.curvature * (end.x - at.x), arc.curvature]
@@ -374,6 +377,7 @@ fn volume(a: Column, b: Column, c: Column) -> f64 {
 }
 
 /// How much of each of three columns makes up `sum`; nothing where they depend on each other.
+#[inline]
 fn solve([a, b, c]: [Column; 3], sum: Column) -> Option<[f64; 3]> {
     let whole = volume(a, b, c);
     let parts = [volume(sum, b, c), volume(a, sum, c), volume(a, b, sum)];

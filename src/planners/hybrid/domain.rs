@@ -184,6 +184,7 @@ impl<'a> StateLattice<'a> {
 
     /// The key of a pose's cell, as drawn at the head of this file. Where the body has room while shuffling, bins are
     /// coarser, and a bit of the key says so: the same place has then another key than with finer bins.
+    #[inline]
     fn key(&self, pose: Pose, gear: i8) -> u64 {
         let clear_by = self.level.shuffles() && self.checker.clear_by(pose, SHUFFLE_CLEARANCE);
         let (xy, yaw) = if clear_by { SHUFFLE_BINS } else { (self.level.xy, self.level.yaw) };
@@ -326,14 +327,14 @@ impl Domain for StateLattice<'_> {
     fn heuristic(&self, _: NodeId, label: State) -> f64 {
         let at = label.pose;
         let h = match self.heuristic {
-            Heuristic::Euclid => (self.target.point() - at.point()).norm(),
+            Heuristic::Euclid => (self.target.point() - at.point()).norm_squared().sqrt(),
             Heuristic::ReedsShepp => reeds_shepp::distance(at, self.target, self.costs.radius),
             Heuristic::Max => {
                 let around = self.flood.distance(at);
                 if around.is_finite() && self.level.far_reverse > 0.0 {
                     // A way with little of it turns round; what that costs leads the search there.
                     let curve = reeds_shepp::distance(at, self.target, self.costs.radius);
-                    around + curve - (self.target.point() - at.point()).norm()
+                    around + curve - (self.target.point() - at.point()).norm_squared().sqrt()
                 } else if around.is_finite() {
                     around.max(reeds_shepp::distance_or(at, self.target, self.costs.radius, around))
                 } else {

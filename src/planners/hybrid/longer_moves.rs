@@ -15,6 +15,7 @@ use super::shortcut::{self, MIN_GAIN, Rules};
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::reeds_shepp::{self, Word};
 use crate::geometry::{Pose, math};
+use crate::vehicle::collision::{Reach, Sampling};
 
 /// A move grows by this at most, metres.
 const LONGER: f64 = 1.0;
@@ -51,9 +52,9 @@ pub(super) fn lengthen(rules: Rules, start: Pose, path: Vec<Arc>) -> Vec<Arc> {
 
 /// The cheapest path with longer moves near its start, if that costs less.
 fn from_start(rules: Rules, start: Pose, path: &[Arc]) -> Option<Vec<Arc>> {
-    let old = Old::new(rules, start, path);
+    let mut old = Old::new(rules, start, path);
     let limit = rules.checker.checks().saturating_add(MAX_CHECKS);
-    let mut best = (old.costs[0] + rules.costs.many_changes(old.changes(0)) - MIN_GAIN, None);
+    let mut best = (old.cost + rules.costs.many_changes(old.changes(0)) - MIN_GAIN, None);
     let moves: Vec<&[Arc]> = path.chunk_by(|one, next| one.length * next.length > 0.0).collect();
     let replaced = moves.len().saturating_sub(LEFT_OUT as usize);
     let mut unchanged = Driven::at(start);
@@ -126,10 +127,13 @@ impl Driven {
 /// The old path, cut at the places that curves may lead to.
 struct Old {
     arcs: Vec<Arc>,
-    /// Before each arc, and at the end.
-    poses: Vec<Pose>,
-    /// From there to the end, as far as it does not depend on the number of gear changes.
-    costs: Vec<f64>,
+    sampling: Sampling,
+    /// Before each arc, and at the end: how far the body can go back from there.
+    places: Vec<Reach>,
+    /// Cost of the whole path, as far as it does not depend on the number of gear changes.
+    cost: f64,
+    /// The part of it from a place to the end that does not depend on how the car gets there.
+    beyond: Vec<f64>,
     /// Gear changes up to there.
     changed: Vec<u32>,
 }
@@ -137,18 +141,21 @@ struct Old {
 impl Old {
     fn new(rules: Rules, start: Pose, path: &[Arc]) -> Self {
         let arcs = shortcut::split(path, KNOT_SPACING);
+        let sampling = Sampling::new(rules.spacing, rules.margin, rules.costs.radius);
         let mut driven = Driven::at(start);
-        let (mut poses, mut costs, mut changed) = (vec![start], vec![0.0], vec![0]);
+        let (mut places, mut beyond, mut changed) = (vec![Reach::new(start, sampling)], Vec::new(), vec![0]);
         for &arc in &arcs {
+            let along = rules.costs.places(rules.checker, driven.pose, &arc);
             driven.drive(rules, arc);
-            poses.push(driven.pose);
-            costs.push(driven.cost);
+            places.push(Reach::new(driven.pose, sampling));
+            beyond.push(along - driven.cost);
             changed.push(driven.changes);
         }
-        for cost in &mut costs {
-            *cost = driven.cost - *cost;
+        beyond.push(-driven.cost);
+        for cost in &mut beyond {
+            *cost += driven.cost;
         }
-        Self { arcs, poses, costs, changed }
+        Self { arcs, sampling, places, cost: driven.cost, beyond, changed }
     }
 
     /// Gear changes from a place to the end.
@@ -157,27 +164,27 @@ impl Old {
     }
 
     /// Keeps the cheapest path that is driven so far and then leads by a curve to a later place.
-    fn meet(&self, rules: Rules, driven: &Driven, best: &mut Best) {
-        for place in 0..self.poses.len() {
+    fn meet(&mut self, rules: Rules, driven: &Driven, best: &mut Best) {
+        let mut ahead = Reach::new(driven.pose, self.sampling);
+        for place in 0..self.places.len() {
             if self.changed[place] >= driven.changes + LEFT_OUT {
-                self.meet_at(place, rules, driven, best);
+                self.meet_at(place, rules, driven, &mut ahead, best);
             }
         }
     }
 
-    /// The same with a curve to one place.
-    fn meet_at(&self, place: usize, rules: Rules, driven: &Driven, best: &mut Best) {
+    /// The same with a curve to one place. `ahead` is how far the body can go from where it was driven.
+    fn meet_at(&mut self, place: usize, rules: Rules, driven: &Driven, ahead: &mut Reach, best: &mut Best) {
         let Rules { checker, costs, .. } = rules;
-        let (from, to) = (driven.pose, self.poses[place]);
+        let (from, to) = (driven.pose, self.places[place].from());
         // What the arc at the place costs depends on how the car gets there.
         let next = self.arcs.get(place);
-        let beyond = next.map_or(0.0, |next| costs.places(checker, to, next) + self.costs[place + 1]);
-        let spent = driven.cost + beyond;
+        let spent = driven.cost + self.beyond[place];
         let changes = driven.changes + self.changes(place);
         let longest =
             best.0 - spent - costs.many_changes(changes) - next.map_or(0.0, |next| next.length.abs());
         let turn = math::turn(from.heading, to.heading).abs();
-        if (to.point() - from.point()).norm().max(turn * costs.radius) >= longest {
+        if (to.point() - from.point()).norm_squared().sqrt().max(turn * costs.radius) >= longest {
             return;
         }
         let mut found: Vec<(f64, Word)> = Vec::new();
@@ -197,17 +204,9 @@ impl Old {
                 found.push((cost, word));
             }
         }
-        let is_free = |word: &Word| {
-            let mut pose = from;
-            word.arcs(costs.radius).all(|arc| {
-                let begin = pose;
-                pose = pose.advance(arc.curvature, arc.length);
-                checker.arc_free(begin, &arc, rules.spacing, rules.margin)
-            })
-        };
         while let Some((cost, word)) = take_cheapest(&mut found) {
             let cost = cost + costs.word_places(checker, from, &word);
-            if cost < best.0 && is_free(&word) {
+            if cost < best.0 && ahead.is_word_free(&mut self.places[place], checker, &word, costs.radius) {
                 let mut arcs = driven.arcs.clone();
                 arcs.extend(word.arcs(costs.radius));
                 arcs.extend_from_slice(&self.arcs[place..]);

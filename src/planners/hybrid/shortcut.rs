@@ -185,7 +185,7 @@ impl<'a> Pass<'a> {
         let (from, to) = (begin.pose, end.pose);
         let old = end.spent - begin.spent + self.join(j, &self.knots[j - 1]) - MIN_GAIN;
         let longest = old - self.knots.get(j).map_or(0.0, |next| next.length.abs());
-        if (to.point() - from.point()).norm() >= longest {
+        if (to.point() - from.point()).norm_squared().sqrt() >= longest {
             return None;
         }
         let before = self.before(i);

@@ -16,7 +16,7 @@ pub struct Edge {
 
 /// Distance from a point to a segment, metres.
 pub(super) fn point_distance(p: Point, a: Point, b: Point) -> f64 {
-    (p - (a + (b - a) * nearest_share(p, a, b))).norm()
+    (p - (a + (b - a) * nearest_share(p, a, b))).norm_squared().sqrt()
 }
 
 /// Distance of two segments that do not cross.
