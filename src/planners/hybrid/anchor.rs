@@ -24,7 +24,7 @@
 use super::analytic_expansion::take_cheapest;
 use super::config::{Config, SearchFrom};
 use super::cost::{CostModel, Motion};
-use super::improvement;
+use super::improvement::{self, Effort};
 use super::lattices::Level;
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{Query, Scratch, Search, TIGHT_CLEARANCE, Work};
@@ -204,7 +204,7 @@ impl Old<'_> {
         let path = joining.mended(start, split(&path))?;
         let rules = shortcut::Rules { checker, costs: &self.costs, spacing: CHECK_SPACING, margin };
         let path = arcs::merge(path);
-        let path = if self.cuts { improvement::improved(rules, start, path, true) } else { path };
+        let path = if self.cuts { improvement::improved(rules, start, path, Effort::Descent) } else { path };
         Some(self.answer(path, checker))
     }
 

@@ -20,6 +20,7 @@ mod fewest;
 use core::ops::ControlFlow;
 
 use super::config::{Config, SearchFrom};
+use super::improvement::Effort;
 use super::lattices::{FIRST_SHUFFLING_LEVEL, Level};
 use super::portfolio::{COMFORTABLE_MARGIN, Floods};
 use super::profile::FEW_CHANGES;
@@ -320,7 +321,7 @@ impl Run<'_, '_> {
         let config = *self.search.config;
         for (number, most) in (0..config.levels()).zip(WIDER_EXPANSIONS) {
             // The descent would give away what a path keeps beyond its margin.
-            let level = Level { descends: false, ..config.level(number) };
+            let level = Level { effort: Effort::Shortcut, ..config.level(number) };
             if self.attempt(&config, (level, number, most), margin, false)? {
                 return Goes::Continue(true);
             }

@@ -1,7 +1,8 @@
 //! A path made cheaper without another search: curves between its knots, other lengths of its arcs, longer moves.
 //!
 //! The shortcut replaces stretches of what a lattice led through; the descent moves what lies between; longer moves
-//! leave some out. Each opens ways for the others, so they follow in rounds until one gains little. A path with fewer
+//! leave some out. Each opens ways for the others, so they follow in rounds until one gains little. Where asked for,
+//! moves are squeezed out after that: most are tried in vain, so what is no answer yet does without. A path with fewer
 //! than two gear changes is left to the shortcut: there is little to move, and so both modules plan every built-in
 //! scene alike.
 
@@ -16,15 +17,27 @@ use crate::geometry::arcs::{self, Arc};
 const SETTLED: f64 = 0.99;
 /// … and any after so many rounds.
 const MAX_ROUNDS: u32 = 4;
+/// Moves of a path that are squeezed, at most.
+const MAX_SQUEEZED: u32 = 60;
+
+/// How much is tried to make a path cheaper.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Effort {
+    /// Only the shortcut: the path stays as far from obstacles as its curves lead.
+    Shortcut,
+    /// The shortcut, the descent and longer moves.
+    Descent,
+    /// All that, and moves are squeezed out.
+    Squeeze,
+}
 
 /// A path of arcs from `start`, made cheaper. Gear changes never increase.
 ///
 /// Start and end pose stay as they are to rounding, and the cost never rises. `path` must be free by the same rules;
-/// what is not replaced is not checked again. Without the descent a path stays as far from obstacles as its curves
-/// lead. The small module has none.
-pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, descends: bool) -> Vec<Arc> {
+/// what is not replaced is not checked again. The small module has the shortcut only.
+pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, effort: Effort) -> Vec<Arc> {
     let mut path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS);
-    if !IS_COMPLETE || !descends || arcs::direction_changes(&path) < FEW_CHANGES {
+    if !IS_COMPLETE || effort == Effort::Shortcut || arcs::direction_changes(&path) < FEW_CHANGES {
         return path;
     }
     let cost = |path: &[Arc]| rules.costs.path(rules.checker, start, path);
@@ -37,6 +50,17 @@ pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, descends: bool
         }
         path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS[..1]);
         before = after;
+    }
+    if effort == Effort::Squeeze { squeezed(rules, start, path) } else { path }
+}
+
+/// A path without the moves that can be squeezed out of it, so that it costs less.
+pub(super) fn squeezed(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
+    let mut most = MAX_SQUEEZED;
+    while arcs::direction_changes(&path) > FEW_CHANGES
+        && let Some(better) = descent::squeeze(rules, start, &path, &mut most)
+    {
+        path = shortcut::shortcut(rules, start, better, &KNOT_SPACINGS[..1]);
     }
     path
 }

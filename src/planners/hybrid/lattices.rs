@@ -10,6 +10,7 @@
 //! they are for.
 
 use super::config::{Config, LEVEL_COUNT, SearchFrom};
+use super::improvement::Effort;
 
 /// Levels from this one on are for cars that can hardly move.
 pub(super) const FIRST_SHUFFLING_LEVEL: u32 = 5;
@@ -62,8 +63,8 @@ pub(super) struct Level {
     pub(super) rock: f64,
     /// True if two trees grow, one from each end.
     pub(super) is_from_both: bool,
-    /// True if arcs of its paths may change their lengths until they keep no more than the margin.
-    pub(super) descends: bool,
+    /// What is tried to make its paths cheaper.
+    pub(super) effort: Effort,
 }
 
 impl Level {
@@ -200,7 +201,7 @@ impl Config {
             lengths: if shuffle { Lengths::Shuffling } else { Lengths::Fixed },
             rock: 0.0,
             is_from_both: self.search_from == SearchFrom::Both,
-            descends: true,
+            effort: Effort::Descent,
         };
         if shuffle {
             return level;

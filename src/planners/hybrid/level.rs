@@ -29,7 +29,7 @@ use super::profile::FEW_CHANGES;
 use super::question::{MIN_MARGIN, Search, Work};
 use super::recording::PoseRecording;
 use super::report::{Report, Status};
-use super::shortcut;
+use super::shortcut::Rules;
 use super::state::{self, State};
 use super::tree::Tree;
 use crate::IS_COMPLETE;
@@ -331,14 +331,29 @@ impl Search<'_> {
         Some((arcs, status))
     }
 
+    /// Squeezes moves out of the path that is known, with the checks of a level.
+    pub(super) fn squeeze(&self, level: Level, report: &mut Report) {
+        if !self.config.shortcut {
+            return;
+        }
+        let (this, costs) = (self.arrived(&report.arcs), self.costs());
+        let rules =
+            Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin: report.margin };
+        let arcs = improvement::squeezed(rules, self.start, report.arcs.clone());
+        let cost = costs.path(self.checker, self.start, &arcs);
+        if cost < report.cost && this.verified(&arcs, report.margin) {
+            (report.arcs, report.cost) = (arcs, cost);
+        }
+    }
+
     /// The path after the shortcut, where the settings ask for one.
     fn straightened(&self, arcs: &[Arc], level: Level, margin: f64) -> Vec<Arc> {
         if !self.config.shortcut {
             return arcs.to_vec();
         }
         let costs = self.costs().with_far_reverse(level.far_reverse);
-        let rules = shortcut::Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        improvement::improved(rules, self.start, arcs.to_vec(), level.descends)
+        let rules = Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
+        improvement::improved(rules, self.start, arcs.to_vec(), level.effort)
     }
 
     /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. The least margin is what

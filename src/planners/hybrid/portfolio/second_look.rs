@@ -19,6 +19,7 @@ use super::floods::Floods;
 use super::known_paths::changes_to_save;
 use super::members::{COMFORTABLE_MARGIN, MANY_CHANGES};
 use crate::geometry::arcs;
+use crate::planners::hybrid::improvement::Effort;
 use crate::planners::hybrid::lattices::{FIRST_SHUFFLING_LEVEL, Level};
 use crate::planners::hybrid::profile::{FEW_CHANGES, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
@@ -59,6 +60,7 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     let Some(kept) = at(work.report.margin) else { return };
     let coarsest = (config.level(0), 0, COARSE_EXPANSIONS);
     let less = at(COMFORTABLE_MARGIN).map_or(kept, |comfortable| comfortable.max(kept));
+    search.squeeze(config.level(1), work.report);
     if less > kept {
         attempt((search, floods), coarsest, kept, 1, work);
     }
@@ -72,7 +74,6 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
         (fine(config.level(1).shortening(), 1), few),
         (fine(config.level(2).shortening(), 2), few),
         (fine(config.level(3).shortening(), 3), MANY_CHANGES - 1),
-        (fine(finest.between(config).shortening(), FINEST_LEVEL), MANY_CHANGES),
         (refined(2), VERY_MANY_CHANGES),
         (refined(3), VERY_MANY_CHANGES),
     ];
@@ -135,6 +136,7 @@ fn attempt(
         max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
         extra_change: MANY_CHANGES_COST,
+        effort: Effort::Squeeze,
         ..level.cheaply_tried(&config.level(0))
     };
     // The shortcut may save some, the more so the coarser the steps and the longer the path.
