@@ -165,6 +165,12 @@ impl CostModel {
 
     /// Cost of the places that a word from `from` leads through.
     pub(super) fn word_places(&self, checker: &CollisionChecker, from: Pose, word: &Word) -> f64 {
+        let is_plain = self.obstacle == 0.0 && checker.paint().is_none();
+        if is_plain
+            && (self.far_reverse == 0.0 || self.is_near_an_end(from.point(), word.length(self.radius)))
+        {
+            return 0.0;
+        }
         let mut pose = from;
         word.arcs(self.radius).fold(0.0, |cost, arc| {
             let cost = cost + self.places(checker, pose, &arc);

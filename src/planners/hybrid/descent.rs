@@ -10,17 +10,16 @@
 //! shorter.
 //!
 //! The slope of the cost does not tell that a gear change may be saved. So a second search makes one move of the path
-//! shorter at any price (`squeeze`).
+//! shorter at any price (`super::squeeze`).
 
 mod path;
-mod squeeze;
 
 use super::shortcut::Rules;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
-use path::{Column, Path, volume};
+use path::{Column, STRETCH, volume};
 
-pub(super) use squeeze::squeeze;
+pub(super) use path::Path;
 
 /// The arc that changes most changes by so much at a time, metres.
 const STEPS: [f64; 4] = [0.4, 0.2, 0.1, 0.05];
@@ -28,9 +27,7 @@ const STEPS: [f64; 4] = [0.4, 0.2, 0.1, 0.05];
 const MAX_ROUNDS: u32 = 4;
 /// A direction that succeeds is tried so often in a row.
 const REPEATS: u32 = 3;
-/// Arcs that change together, at most; random directions change all of so many.
-const STRETCH: usize = 8;
-/// Random directions for each such stretch; the next one begins half a stretch on.
+/// Random directions for each stretch of arcs, all of which they change; the next one begins half a stretch on.
 const RANDOM_DIRECTIONS: u32 = 40;
 /// Attempts for one path, at most: a path of a thousand arcs would take seconds.
 const MAX_ATTEMPTS: u32 = 100_000;
@@ -45,7 +42,7 @@ pub(super) fn descend(rules: Rules, start: Pose, arcs: Vec<Arc>) -> Vec<Arc> {
 impl Path<'_> {
     /// Changes lengths by ever shorter steps until none makes the path better, or it is good enough; tells whether that
     /// is so.
-    fn improve(&mut self, steps: &[f64], is_enough: impl Fn(&[Arc]) -> bool) -> bool {
+    pub(super) fn improve(&mut self, steps: &[f64], is_enough: impl Fn(&[Arc]) -> bool) -> bool {
         for &step in steps {
             self.round += 1;
             self.moved.fill(self.round);
@@ -146,4 +143,4 @@ fn triples(begin: usize, end: usize) -> impl Iterator<Item = [usize; 3]> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -8,7 +8,7 @@
 
 use super::profile::FEW_CHANGES;
 use super::shortcut::{self, KNOT_SPACINGS, Rules};
-use super::{descent, longer_moves};
+use super::{descent, longer_moves, squeeze};
 use crate::IS_COMPLETE;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
@@ -58,7 +58,7 @@ pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, effort: Effort
 pub(super) fn squeezed(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
     let mut most = MAX_SQUEEZED;
     while arcs::direction_changes(&path) > FEW_CHANGES
-        && let Some(better) = descent::squeeze(rules, start, &path, &mut most)
+        && let Some(better) = squeeze::squeeze(rules, start, &path, &mut most)
     {
         path = shortcut::shortcut(rules, start, better, &KNOT_SPACINGS[..1]);
     }

@@ -47,6 +47,7 @@ mod report;
 mod rivals;
 
 mod shortcut;
+mod squeeze;
 mod state;
 mod state_index;
 mod tree;

@@ -9,12 +9,13 @@
 
 use core::ops::Range;
 
-use super::STRETCH;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
 use crate::planners::hybrid::cost::Motion;
 use crate::planners::hybrid::shortcut::{MIN_GAIN, Rules};
 
+/// Arcs that change together, at most.
+pub(super) const STRETCH: usize = 8;
 /// A direction by which the cost falls by less for each metre of the largest change is left.
 const MIN_SLOPE: f64 = 0.02;
 /// Columns that span less than this depend on each other.
@@ -48,9 +49,9 @@ impl Stand {
 }
 
 /// The path at hand. Invariant: its end never moves.
-pub(super) struct Path<'a> {
+pub(in crate::planners::hybrid) struct Path<'a> {
     pub(super) rules: Rules<'a>,
-    pub(super) arcs: Vec<Arc>,
+    pub(in crate::planners::hybrid) arcs: Vec<Arc>,
     /// Before each arc, and at the end.
     pub(super) stands: Vec<Stand>,
     /// Costs of the places that each arc leads through.
@@ -71,7 +72,12 @@ pub(super) struct Path<'a> {
 
 impl<'a> Path<'a> {
     /// One that is to become cheaper or, with the number of one of its moves, to have that one shorter.
-    pub(super) fn new(rules: Rules<'a>, start: Pose, arcs: Vec<Arc>, squeezed: Option<usize>) -> Self {
+    pub(in crate::planners::hybrid) fn new(
+        rules: Rules<'a>,
+        start: Pose,
+        arcs: Vec<Arc>,
+        squeezed: Option<usize>,
+    ) -> Self {
         let mut path = Self {
             rules: Rules { spacing: rules.spacing / FINER, ..rules },
             arcs,
@@ -292,11 +298,11 @@ impl<'a> Path<'a> {
 
 /// The arcs of a move, by its number: of those between two gear changes.
 fn move_of(arcs: &[Arc], number: usize) -> Range<usize> {
-    let ends = arcs.chunk_by(|one, next| one.length * next.length > 0.0).scan(0, |end, arcs| {
+    let mut ends = arcs.chunk_by(|one, next| one.length * next.length > 0.0).scan(0, |end, arcs| {
         *end += arcs.len();
         Some(*end - arcs.len()..*end)
     });
-    ends.skip(number).next().unwrap_or(0..0)
+    ends.nth(number).unwrap_or(0..0)
 }
 
 /// Renews where arcs begin and end, from the first on.
@@ -322,7 +328,7 @@ pub(super) fn volume(a: Column, b: Column, c: Column) -> f64 {
 
 /// How much of each of three columns makes up `sum`; nothing where they depend on each other.
 #[inline]
-fn solve([a, b, c]: [Column; 3], sum: Column) -> Option<[f64; 3]> {
+pub(super) fn solve([a, b, c]: [Column; 3], sum: Column) -> Option<[f64; 3]> {
     let whole = volume(a, b, c);
     let parts = [volume(sum, b, c), volume(a, sum, c), volume(a, b, sum)];
     (whole.abs() >= DEPENDENT).then(|| parts.map(|part| part / whole))

@@ -1,3 +1,4 @@
+use super::path::solve;
 use super::*;
 use crate::geometry::Point;
 use crate::planners::hybrid::config::Config;
@@ -6,7 +7,7 @@ use crate::vehicle::Vehicle;
 use crate::vehicle::collision::{CollisionChecker, Obstacles, Solid};
 
 /// A square of so many metres with square posts of half a metre in it.
-fn ground(size: f64, posts: &[(f64, f64)]) -> Obstacles {
+pub(in crate::planners::hybrid) fn ground(size: f64, posts: &[(f64, f64)]) -> Obstacles {
     let square = |x: f64, y: f64, side: f64, owner: u32| Solid {
         outline: [(0.0, 0.0), (side, 0.0), (side, side), (0.0, side)]
             .map(|(dx, dy)| Point::new(x + dx, y + dy))

@@ -4,23 +4,17 @@
 //! up to the obstacles. Once a move has vanished, its neighbours are one, and the path costs two gear changes less. It
 //! need not be the move that was squeezed.
 
-use super::descend;
-use super::path::Path;
+use super::descent::{Path, descend};
+use super::shortcut::Rules;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
-use crate::planners::hybrid::shortcut::Rules;
 
 /// The arc that changes most changes by so much at a time, metres.
 const STEPS: [f64; 2] = [0.2, 0.05];
 
 /// The first path from `start` to the same end that has fewer gear changes and costs less, free by the rules if `arcs`
 /// is; nothing where no move can be squeezed out. Not more than `most` moves are tried, of which the rest is left there.
-pub(in crate::planners::hybrid) fn squeeze(
-    rules: Rules,
-    start: Pose,
-    arcs: &[Arc],
-    most: &mut u32,
-) -> Option<Vec<Arc>> {
+pub(super) fn squeeze(rules: Rules, start: Pose, arcs: &[Arc], most: &mut u32) -> Option<Vec<Arc>> {
     let cost = |path: &[Arc]| rules.costs.path(rules.checker, start, path);
     let (known, changes) = (cost(arcs), arcs::direction_changes(arcs));
     let is_fewer = |path: &[Arc]| arcs::direction_changes(path) < changes;
@@ -31,3 +25,6 @@ pub(in crate::planners::hybrid) fn squeeze(
         (is_fewer(&better) && cost(&better) < known).then_some(better)
     })
 }
+
+#[cfg(test)]
+mod tests;
