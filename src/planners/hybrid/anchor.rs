@@ -24,8 +24,8 @@
 use super::analytic_expansion::take_cheapest;
 use super::config::{Config, SearchFrom};
 use super::cost::{CostModel, Motion};
-use super::improvement::{self, Effort};
-use super::lattices::Level;
+use super::improvement;
+use super::lattices::{Effort, Level};
 use super::obstacle_heuristic::ObstacleHeuristic;
 use super::question::{Query, Scratch, Search, TIGHT_CLEARANCE, Work};
 use super::report::{Report, Status};

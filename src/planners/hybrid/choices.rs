@@ -20,8 +20,7 @@ mod fewest;
 use core::ops::ControlFlow;
 
 use super::config::{Config, SearchFrom};
-use super::improvement::Effort;
-use super::lattices::{FIRST_SHUFFLING_LEVEL, Level};
+use super::lattices::{Effort, FIRST_SHUFFLING_LEVEL, Level};
 use super::portfolio::{COMFORTABLE_MARGIN, Floods};
 use super::profile::FEW_CHANGES;
 use super::question::{Query, Scratch, Search, Work};

@@ -6,6 +6,7 @@
 //! than two gear changes is left to the shortcut: there is little to move, and so both modules plan every built-in
 //! scene alike.
 
+use super::lattices::Effort;
 use super::profile::FEW_CHANGES;
 use super::shortcut::{self, KNOT_SPACINGS, Rules};
 use super::{descent, longer_moves, squeeze};
@@ -19,17 +20,6 @@ const SETTLED: f64 = 0.99;
 const MAX_ROUNDS: u32 = 4;
 /// Moves of a path that are squeezed, at most.
 const MAX_SQUEEZED: u32 = 60;
-
-/// How much is tried to make a path cheaper.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Effort {
-    /// Only the shortcut: the path stays as far from obstacles as its curves lead.
-    Shortcut,
-    /// The shortcut, the descent and longer moves.
-    Descent,
-    /// All that, and moves are squeezed out.
-    Squeeze,
-}
 
 /// A path of arcs from `start`, made cheaper. Gear changes never increase.
 ///

@@ -10,7 +10,6 @@
 //! they are for.
 
 use super::config::{Config, LEVEL_COUNT, SearchFrom};
-use super::improvement::Effort;
 
 /// Levels from this one on are for cars that can hardly move.
 pub(super) const FIRST_SHUFFLING_LEVEL: u32 = 5;
@@ -24,6 +23,17 @@ pub(super) enum Lengths {
     Shortened,
     /// For a car that can hardly move: until something is in the way, to its end at most, and half as far.
     Shuffling,
+}
+
+/// How much is tried to make a path cheaper.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Effort {
+    /// Only the shortcut: the path stays as far from obstacles as its curves lead.
+    Shortcut,
+    /// The shortcut, the descent and longer moves.
+    Descent,
+    /// All that, and moves are squeezed out.
+    Squeeze,
 }
 
 /// One resolution of the lattice.

@@ -10,7 +10,8 @@
 //! (`known_paths`). One with many changes is held against ever finer lattices, and one with very many against two more:
 //! what one misses the next one finds. Most of them shorten the moves that something blocks: what a fixed step leaves
 //! of a slot's room falls and rises with the length of the slot, and a longer one must not take more changes for that.
-//! A path that keeps no more than is comfortable is held against the same searches with its own margin.
+//! A path that keeps no more than is comfortable is held against the same searches with its own margin. Moves are
+//! squeezed out of the known path before that, and out of each that a search finds (`squeeze`).
 //!
 //! The others are not asked where two have spent their work in vain, nor where no more than very many changes are left
 //! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more.
@@ -19,8 +20,7 @@ use super::floods::Floods;
 use super::known_paths::changes_to_save;
 use super::members::{COMFORTABLE_MARGIN, MANY_CHANGES};
 use crate::geometry::arcs;
-use crate::planners::hybrid::improvement::Effort;
-use crate::planners::hybrid::lattices::{FIRST_SHUFFLING_LEVEL, Level};
+use crate::planners::hybrid::lattices::{Effort, FIRST_SHUFFLING_LEVEL, Level};
 use crate::planners::hybrid::profile::{FEW_CHANGES, MANY_CHANGES_COST};
 use crate::planners::hybrid::question::{Search, Work};
 use crate::planners::hybrid::report::{Report, Status};
