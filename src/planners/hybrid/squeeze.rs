@@ -13,7 +13,7 @@ use crate::geometry::arcs::{self, Arc};
 const STEPS: [f64; 2] = [0.2, 0.05];
 
 /// The first path from `start` to the same end that has fewer gear changes and costs less, free by the rules if `arcs`
-/// is; nothing where no move can be squeezed out. Not more than `most` moves are tried, of which the rest is left there.
+/// is; nothing where no move can be squeezed out. At most `most` moves are tried, from which they are taken.
 pub(super) fn squeeze(rules: Rules, start: Pose, arcs: &[Arc], most: &mut u32) -> Option<Vec<Arc>> {
     let cost = |path: &[Arc]| rules.costs.path(rules.checker, start, path);
     let (known, changes) = (cost(arcs), arcs::direction_changes(arcs));

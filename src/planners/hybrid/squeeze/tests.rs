@@ -6,8 +6,8 @@ use crate::planners::hybrid::descent::tests::ground;
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::CollisionChecker;
 
-/// A car that rocks on the spot, by seed, among posts: a move can be squeezed out. The end stays, the path is free, costs
-/// less and has fewer gear changes. Nothing is tried where nothing may be.
+/// A car that rocks on the spot, by seed, among posts: a move can be squeezed out. The end stays, the path is free,
+/// costs less and has fewer gear changes. Nothing is tried where nothing may be.
 #[test]
 fn moves_are_squeezed_out_of_a_path_that_rocks() {
     let car = Vehicle::SEDAN;
