@@ -50,7 +50,7 @@ impl Stand {
 
 /// The path at hand. Invariant: its end never moves.
 pub(in crate::planners::hybrid) struct Path<'a> {
-    pub(super) rules: Rules<'a>,
+    rules: Rules<'a>,
     pub(in crate::planners::hybrid) arcs: Vec<Arc>,
     /// Before each arc, and at the end.
     pub(super) stands: Vec<Stand>,
