@@ -18,6 +18,20 @@ pub(in crate::planners::hybrid) fn ground(size: f64, posts: &[(f64, f64)]) -> Ob
     Obstacles::new(&[], &solids, &square(0.0, 0.0, size, 0))
 }
 
+/// True if a path is free by finer checks than those of the rules.
+pub(in crate::planners::hybrid) fn is_free(
+    Rules { checker, margin, .. }: Rules,
+    start: Pose,
+    arcs: &[Arc],
+) -> bool {
+    let mut pose = start;
+    arcs.iter().all(|arc| {
+        let free = checker.arc_free(pose, arc, 0.05, margin);
+        pose = pose.advance(arc.curvature, arc.length);
+        free
+    })
+}
+
 /// Winding paths with a gear change, by seed, among posts: the end stays, the path is free, has no more gear changes
 /// and costs less than half of it in the mean.
 #[test]
@@ -44,15 +58,7 @@ fn winding_paths_become_cheaper_and_keep_end_gears_and_margin() {
         let end = arcs::end(start, &arcs);
         let costs = CostModel::driven(&Config::default(), car.min_turning_radius(), [start, end]);
         let rules = Rules { checker: &checker, costs: &costs, spacing: 0.1, margin: 0.1 };
-        let is_free = |arcs: &[Arc]| {
-            let mut pose = start;
-            arcs.iter().all(|arc| {
-                let free = checker.arc_free(pose, arc, 0.05, 0.1);
-                pose = pose.advance(arc.curvature, arc.length);
-                free
-            })
-        };
-        if !is_free(&arcs) {
+        if !is_free(rules, start, &arcs) {
             continue;
         }
         let better = descend(rules, start, arcs.clone());
@@ -60,7 +66,7 @@ fn winding_paths_become_cheaper_and_keep_end_gears_and_margin() {
         assert!(
             (got.point() - end.point()).norm() < 1e-6 && math::turn(got.heading, end.heading).abs() < 1e-6
         );
-        assert!(is_free(&better), "{posts:?}");
+        assert!(is_free(rules, start, &better), "{posts:?}");
         assert!(arcs::direction_changes(&better) <= arcs::direction_changes(&arcs));
         let [before, after] = [&arcs, &better].map(|arcs| costs.path(&checker, start, arcs));
         assert!(after <= before, "{before} {after}");

@@ -2,7 +2,7 @@ use super::*;
 use crate::geometry::math;
 use crate::planners::hybrid::config::Config;
 use crate::planners::hybrid::cost::CostModel;
-use crate::planners::hybrid::descent::tests::ground;
+use crate::planners::hybrid::descent::tests::{ground, is_free};
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::CollisionChecker;
 
@@ -32,15 +32,7 @@ fn moves_are_squeezed_out_of_a_path_that_rocks() {
         let end = arcs::end(start, &arcs);
         let costs = CostModel::driven(&Config::default(), car.min_turning_radius(), [start, end]);
         let rules = Rules { checker: &checker, costs: &costs, spacing: 0.1, margin: 0.05 };
-        let is_free = |arcs: &[Arc]| {
-            let mut pose = start;
-            arcs.iter().all(|arc| {
-                let free = checker.arc_free(pose, arc, 0.05, 0.05);
-                pose = pose.advance(arc.curvature, arc.length);
-                free
-            })
-        };
-        if !is_free(&arcs) {
+        if !is_free(rules, start, &arcs) {
             continue;
         }
         assert!(squeeze(rules, start, &arcs, &mut 0).is_none());
@@ -49,7 +41,7 @@ fn moves_are_squeezed_out_of_a_path_that_rocks() {
         let got = arcs::end(start, &better);
         assert!((got.point() - end.point()).norm() < 1e-6);
         assert!(math::turn(got.heading, end.heading).abs() < 1e-6);
-        assert!(is_free(&better), "{posts:?}");
+        assert!(is_free(rules, start, &better), "{posts:?}");
         assert!(arcs::direction_changes(&better) < arcs::direction_changes(&arcs));
         let [before, after] = [&arcs, &better].map(|arcs| costs.path(&checker, start, arcs));
         assert!(after < before, "{before} {after}");
