@@ -165,10 +165,7 @@ impl CostModel {
 
     /// Cost of the places that a word from `from` leads through.
     pub(super) fn word_places(&self, checker: &CollisionChecker, from: Pose, word: &Word) -> f64 {
-        let is_plain = self.obstacle == 0.0 && checker.paint().is_none();
-        if is_plain
-            && (self.far_reverse == 0.0 || self.is_near_an_end(from.point(), word.length(self.radius)))
-        {
+        if self.is_plain(checker, self.far_reverse, from, word.length(self.radius)) {
             return 0.0;
         }
         let mut pose = from;
@@ -183,12 +180,8 @@ impl CostModel {
     /// with the middle of the rear axle over cells whose weight is above 1.
     pub(super) fn places(&self, checker: &CollisionChecker, from: Pose, arc: &Arc) -> f64 {
         let reverse = self.in_reverse(arc);
-        let far_reverse = if reverse && !self.is_near_an_end(from.point(), arc.length.abs()) {
-            self.far_reverse
-        } else {
-            0.0
-        };
-        if far_reverse == 0.0 && self.obstacle == 0.0 && checker.paint().is_none() {
+        let far_reverse = if reverse { self.far_reverse } else { 0.0 };
+        if self.is_plain(checker, far_reverse, from, arc.length.abs()) {
             return 0.0;
         }
         let steps = (arc.length.abs() / CLEARANCE_STEP).ceil().max(1.0);
@@ -212,6 +205,13 @@ impl CostModel {
         }
         let weight = if reverse { self.reverse } else { 1.0 };
         (self.obstacle * near + far_reverse * far) * part.abs() + weight * painted
+    }
+
+    /// True if no place costs anything that is no farther than this from a pose, metres.
+    fn is_plain(&self, checker: &CollisionChecker, far_reverse: f64, from: Pose, around: f64) -> bool {
+        self.obstacle == 0.0
+            && checker.paint().is_none()
+            && (far_reverse == 0.0 || self.is_near_an_end(from.point(), around))
     }
 
     /// True if what is no farther than this from a place, metres, belongs to the manoeuvre at one of the ends.

@@ -16,7 +16,7 @@ use crate::planners::hybrid::shortcut::{MIN_GAIN, Rules};
 
 /// Arcs that change together, at most.
 pub(super) const STRETCH: usize = 8;
-/// A direction by which the cost falls by less for each metre of the largest change is left.
+/// A direction by which less is saved for each metre of the largest change is left.
 const MIN_SLOPE: f64 = 0.02;
 /// Columns that span less than this depend on each other.
 const DEPENDENT: f64 = 1e-6;
@@ -105,8 +105,8 @@ impl<'a> Path<'a> {
         self.aim = self.squeezed.map_or(0..self.arcs.len(), |number| move_of(&self.arcs, number));
     }
 
-    /// Changes the lengths of the arcs from `first` on by a step in a direction, if that is free and costs less. Three
-    /// of them close the path.
+    /// Changes the lengths of the arcs from `first` on by a step in a direction, if that is free and better. Three of
+    /// them close the path.
     pub(super) fn attempt(&mut self, first: usize, change: &mut [f64], three: [usize; 3], step: f64) -> bool {
         self.attempts += 1;
         let (count, end) = (change.len(), self.stands[first + change.len()]);
@@ -146,7 +146,7 @@ impl<'a> Path<'a> {
     }
 
     /// Changes the lengths of the arcs from `first` on `far` in a direction, or until one vanishes, if that is free and
-    /// costs less.
+    /// better.
     fn advance(&mut self, first: usize, change: &[f64], mut three: [usize; 3], mut far: f64) -> bool {
         let count = change.len();
         let mut vanishes = None;
