@@ -18,7 +18,7 @@ use crate::tight_scenes::{self, Scene, bay, cluttered, corner, kerb};
 fn tight_slots_are_entered() {
     // Metres, gear changes, level and margin by default; metres and gear changes without a margin.
     let rows = [
-        ("par-8.0", (24.6, 2, 0, 0.03), (23.5, 2)),
+        ("par-8.0", (24.6, 2, 1, 0.03), (23.5, 2)),
         ("par-7.2", (24.4, 4, 2, 0.03), (24.4, 4)),
         ("perp-tail-3.6", (25.5, 1, 0, 0.1), (25.4, 1)),
         ("perp-tail-3.2", (25.8, 1, 0, 0.1), (25.6, 1)),
@@ -41,7 +41,7 @@ fn tight_slots_are_entered() {
     let coarse = tightest.plan(&Config { finest_level: 4, ..Config::default() });
     assert!(matches!(coarse.status, Status::BoxedIn { at_start: false, .. }), "{:?}", coarse.status);
     let report = tightest.plan(&Config::default());
-    assert_eq!((report.status, report.level, report.margin), (Status::Suboptimal, 4, 0.03));
+    assert_eq!((report.status, report.level, report.margin), (Status::Found, 3, 0.03));
     let changes = arcs::direction_changes(&report.arcs);
     println!("par-6.6: {:.2} m, {changes} changes", arcs::length(&report.arcs));
     assert!(arcs::length(&report.arcs) < 28.0 && changes <= 10);

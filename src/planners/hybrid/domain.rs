@@ -260,10 +260,15 @@ impl<'a> StateLattice<'a> {
     /// All are made before the first of their cells is looked up: the look-ups then wait for memory together.
     #[inline(never)]
     pub(super) fn list_moves(&self, from: Visit<f64, State>, moves: &mut Vec<Move>) {
-        let State { pose, motion, .. } = from.label;
+        let State { pose, motion, length: driven } = from.label;
         let turned = self.ahead(&self.reach[0], pose).turned();
         moves.clear();
+        let is_farthest = IS_COMPLETE && self.level.shuffles() && driven.abs() < self.level.step;
         for primitive in &self.primitives {
+            // While shuffling, an arc ends where something is in the way, or half as far, and its other end goes on.
+            if is_farthest && primitive.curvature == motion.curvature && primitive.length * driven > 0.0 {
+                continue;
+            }
             for length in self.lengths(pose, primitive).into_iter().filter(|&length| length != 0.0) {
                 let arc = Arc { length, ..*primitive };
                 let cost = self.costs.arc(motion, &arc);

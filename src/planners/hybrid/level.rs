@@ -217,43 +217,58 @@ impl Search<'_> {
         let Report { margin, status, .. } = *work.report;
         let counters = Report { level: number, margin, status, ..work.report.counters() };
         let known = core::mem::replace(work.report, counters);
-        let again = self.level(level, work);
-        if known.arcs.is_empty() {
-            return again;
-        }
-        if !again || known.cost < work.report.cost {
+        let is_known = !known.arcs.is_empty();
+        let limit = if is_known { known.cost } else { f64::INFINITY };
+        let is_better = self.level_below((u32::MAX, limit), level, work);
+        if is_known && !is_better {
             *work.report = work.report.with_path_of(known);
         }
-        true
+        is_known || is_better
     }
 
     /// Searches one level, with finer collision checks where verification fails; tells whether there is a path.
-    #[inline(never)]
     pub(super) fn level(&self, level: Level, work: &mut Work) -> bool {
+        self.level_below((u32::MAX, f64::INFINITY), level, work)
+    }
+
+    /// The same for a path with so many gear changes at most that costs less than so much, metres. For another one the
+    /// search is not repeated with finer checks.
+    #[inline(never)]
+    pub(super) fn level_below(&self, limits: (u32, f64), level: Level, work: &mut Work) -> bool {
         for halvings in 0..=HALVINGS {
             let Some((arcs, status)) = self.search(finer(level, halvings), work) else { return false };
-            let this = self.arrived(&arcs);
-            if let Some(arcs) = this.improved(&arcs, level, halvings, work.report.margin) {
-                let costs = this.costs();
-                work.report.cost = costs.path(self.checker, self.start, &arcs);
-                work.report.arcs = arcs;
-                work.report.status = status;
-                return true;
+            work.report.status = status;
+            if let Some(is_taken) = self.arrived(&arcs).improve(&arcs, limits, level, halvings, work.report) {
+                return is_taken;
             }
             work.report.status = Status::VerificationFailed;
         }
         false
     }
 
-    /// A path after the shortcut, if it passes verification. Where only the shortcut's curves do not, finer checks of
+    /// Takes a path after the shortcut for the answer, unless it exceeds the limits; tells whether it does not. Nothing
+    /// where it hits something between two checks of the search. Where only the shortcut's curves do, finer checks of
     /// these are enough.
-    fn improved(&self, arcs: &[Arc], level: Level, halvings: i32, margin: f64) -> Option<Vec<Arc>> {
+    fn improve(
+        &self,
+        arcs: &[Arc],
+        (most_changes, limit): (u32, f64),
+        level: Level,
+        halvings: i32,
+        report: &mut Report,
+    ) -> Option<bool> {
+        let costs = self.costs();
         for halvings in halvings..=HALVINGS {
-            let better = self.straightened(arcs, finer(level, halvings), margin);
-            if self.verified(&better, margin) {
-                return Some(better);
+            let better = self.straightened(arcs, finer(level, halvings), report.margin);
+            let cost = costs.path(self.checker, self.start, &better);
+            if cost >= limit || (IS_COMPLETE && arcs::direction_changes(&better) > most_changes) {
+                return Some(false);
             }
-            if !self.config.shortcut || !self.verified(arcs, margin) {
+            if self.verified(&better, report.margin) {
+                (report.arcs, report.cost) = (better, cost);
+                return Some(true);
+            }
+            if !self.config.shortcut || !self.verified(arcs, report.margin) {
                 break;
             }
         }
@@ -331,18 +346,26 @@ impl Search<'_> {
         Some((arcs, status))
     }
 
-    /// Squeezes moves out of the path that is known, with the checks of a level.
-    pub(super) fn squeeze(&self, level: Level, report: &mut Report) {
+    /// Squeezes moves out of a path, with the checks of a level and a margin. What comes of that takes the place of the
+    /// known path if it costs less and saves so many gear changes.
+    #[inline(never)]
+    pub(super) fn squeeze(
+        &self,
+        level: Level,
+        (path, margin): (&Report, f64),
+        saved: u32,
+        report: &mut Report,
+    ) {
         if !self.config.shortcut {
             return;
         }
-        let (this, costs) = (self.arrived(&report.arcs), self.costs());
-        let rules =
-            Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin: report.margin };
-        let arcs = improvement::squeezed(rules, self.start, report.arcs.clone());
+        let (this, costs) = (self.arrived(&path.arcs), self.costs());
+        let rules = Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
+        let arcs = improvement::squeezed(rules, self.start, path.arcs.clone());
         let cost = costs.path(self.checker, self.start, &arcs);
-        if cost < report.cost && this.verified(&arcs, report.margin) {
-            (report.arcs, report.cost) = (arcs, cost);
+        let is_fewer = arcs::direction_changes(&arcs) + saved <= arcs::direction_changes(&report.arcs);
+        if is_fewer && cost < report.cost && this.verified(&arcs, margin) {
+            *report = Report { arcs, cost, margin, ..report.with_path_of(path.clone()) };
         }
     }
 

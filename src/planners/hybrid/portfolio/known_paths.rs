@@ -63,13 +63,19 @@ impl KnownPaths {
     }
 
     /// The better answer.
-    pub(super) fn better(self) -> Option<Report> {
-        match (self.widest, self.easiest) {
-            (Some(widest), Some(easiest)) if IS_COMPLETE && gives_up_margin(&widest, &easiest) => {
-                Some(easiest)
-            }
-            (widest, _) => widest,
+    pub(super) fn take_better(&mut self) -> Option<Report> {
+        if IS_COMPLETE
+            && let (Some(widest), Some(easiest)) = (&self.widest, &self.easiest)
+            && gives_up_margin(widest, easiest)
+        {
+            return self.easiest.take();
         }
+        self.widest.take()
+    }
+
+    /// The better one of those that were not taken.
+    pub(super) fn next_best(&self) -> Option<&Report> {
+        self.widest.as_ref().or(self.easiest.as_ref())
     }
 }
 

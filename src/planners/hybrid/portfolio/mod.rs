@@ -6,10 +6,10 @@
 //! lost, and all together work a few times as much as the best one would alone. Work is counted in expansions, never in
 //! time.
 //!
-//! The schedule: in round r the member at place k may expand 8192·4^(r − k) nodes. A member that is alone in the list
-//! gets slices that grow fourfold; its neighbour gets a quarter of that. If the member at place k would need E
-//! expansions alone, the total is at most a constant times E, which depends on k only. A slice starts its search
-//! anew, which costs at most a third more than one long search would, since slices grow geometrically.
+//! The schedule: in round r = 1, 2, … the member at place k = 0 … r may expand 8192·4^(r − k) nodes. A member that is
+//! alone in the list gets slices that grow fourfold; its neighbour gets a quarter of that. If the member at place k
+//! would need E expansions alone, the total is at most a constant times E, which depends on k only. A slice starts its
+//! search anew, which costs at most a third more than one long search would, since slices grow geometrically.
 //!
 //! Members leave the list when they prove something. A search that ends with an empty open list shows that its
 //! lattice holds no path with its margin. That counts for coarser lattices and larger margins as well, whose members
@@ -43,8 +43,9 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     if first == First::Found || levels == 1 {
         return;
     }
-    Turns::new(search, floods, widest, first == First::Cramped).take(work);
+    let mut turns = Turns::new(search, floods, widest, first == First::Cramped);
+    turns.take(work);
     if IS_COMPLETE {
-        second_look::look_again(search, floods, work);
+        second_look::look_again(search, floods, turns.known.next_best(), work);
     }
 }

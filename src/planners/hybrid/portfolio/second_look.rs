@@ -10,8 +10,10 @@
 //! (`known_paths`). One with many changes is held against ever finer lattices, and one with very many against two more:
 //! what one misses the next one finds. Most of them shorten the moves that something blocks: what a fixed step leaves
 //! of a slot's room falls and rises with the length of the slot, and a longer one must not take more changes for that.
-//! A path that keeps no more than is comfortable is held against the same searches with its own margin. Moves are
-//! squeezed out of the known path before that, and out of each that a search finds (`squeeze`).
+//! A path that keeps no more than is comfortable is held against the same searches with its own margin.
+//!
+//! Moves are squeezed out of the known path before that (`squeeze`): with its margin, and then with no more than is
+//! comfortable. The same is tried with the next best path that was found, and with each that a search finds.
 //!
 //! The others are not asked where two have spent their work in vain, nor where no more than very many changes are left
 //! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more.
@@ -50,8 +52,8 @@ const COARSE: f64 = 0.06;
 const BEFORE_SHORTCUT: f64 = 1.6;
 
 /// Replaces the path in `work`, where it changes gear often, by one with fewer changes: by a cheaper one with the same
-/// margin, or by one with less.
-pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
+/// margin, or by one with less. `next_best` is another one that was found.
+pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
     let config = search.config;
     if changes(work.report) <= FEW_CHANGES || config.levels() <= FIRST_SHUFFLING_LEVEL {
         return;
@@ -60,7 +62,21 @@ pub(super) fn look_again(search: Search, floods: &Floods, work: &mut Work) {
     let Some(kept) = at(work.report.margin) else { return };
     let coarsest = (config.level(0), 0, COARSE_EXPANSIONS);
     let less = at(COMFORTABLE_MARGIN).map_or(kept, |comfortable| comfortable.max(kept));
-    search.squeeze(config.level(1), work.report);
+    let squeeze = |path: &Report, margin: f64, report: &mut Report| {
+        if changes(report) > FEW_CHANGES {
+            let saved = if margin < report.margin { changes_to_save(report) } else { 1 };
+            search.squeeze(config.level(1), (path, margin), saved, report);
+        }
+    };
+    let known = work.report.clone();
+    squeeze(&known, known.margin, work.report);
+    if let Some(next_best) = next_best {
+        squeeze(next_best, floods.margin(less), work.report);
+    }
+    if work.report.margin > floods.margin(less) {
+        let known = work.report.clone();
+        squeeze(&known, floods.margin(less), work.report);
+    }
     if less > kept {
         attempt((search, floods), coarsest, kept, 1, work);
     }
@@ -145,9 +161,8 @@ fn attempt(
     let level = level.with_changes((before + more).saturating_sub(saved));
     let bound =
         BEFORE_SHORTCUT * search.costs().searching(&level).path(search.checker, search.start, &known.arcs);
-    let is_better = search.level(Level { bound, ..level }, work)
-        && changes(work.report) + saved <= changes(&known)
-        && work.report.cost < known.cost;
+    let limits = (before.saturating_sub(saved), known.cost);
+    let is_better = search.level_below(limits, Level { bound, ..level }, work);
     let outcome = match work.report.status {
         _ if is_better => Outcome::Better,
         Status::BudgetExhausted(_) => Outcome::Spent,

@@ -130,7 +130,7 @@ impl<'a> Turns<'a> {
     }
 
     /// Takes all turns; what came of them is in `work.report`.
-    pub(super) fn take(mut self, work: &mut Work) {
+    pub(super) fn take(&mut self, work: &mut Work) {
         self.rounds(work);
         if IS_COMPLETE {
             work.report.stats.bytes +=
@@ -145,7 +145,7 @@ impl<'a> Turns<'a> {
         if self.search.config.max_expansions.is_some() {
             self.effort = u32::MAX;
         }
-        for round in 0_u32.. {
+        for round in 1_u32.. {
             // Everybody before this one has spent a slice in this round.
             let mut at = 0;
             while at < self.members.len() && at <= round as usize {
@@ -181,7 +181,10 @@ impl<'a> Turns<'a> {
     /// The turn of the member at a place of the list in one of the rounds; tells the place of the next one.
     fn turn(&mut self, at: usize, round: u32, work: &mut Work) -> usize {
         let (member, before) = (self.members[at], work.report.stats.expanded);
-        let growth = 1_u32.checked_shl(2 * (round - at as u32)).unwrap_or(u32::MAX);
+        // Where another may prove more at once, the first spends no more before that than any other.
+        let is_proof_next = self.may_ask_proof(member);
+        let rounds = if is_proof_next { 0 } else { round - at as u32 };
+        let growth = 1_u32.checked_shl(2 * rounds).unwrap_or(u32::MAX);
         let slice = if self.stage == Stage::Levels { FIRST_SLICE.saturating_mul(growth) } else { u32::MAX };
         let turn = self.search(member, slice.min(self.effort - before), work);
         let expanded = work.report.stats.expanded - before;
@@ -189,7 +192,7 @@ impl<'a> Turns<'a> {
             *in_vain = true;
         }
         match turn {
-            Turn::Spent if self.may_ask_proof(member) => {
+            Turn::Spent if is_proof_next => {
                 self.members.swap(0, 1);
                 0
             }
@@ -349,13 +352,13 @@ impl<'a> Turns<'a> {
     }
 
     /// Says what came of it; the counters are those of all members.
-    fn conclude(self, report: &mut Report) {
+    fn conclude(&mut self, report: &mut Report) {
         if IS_COMPLETE && let Hope::None(nearest) = self.hope {
             (report.status, report.margin) = (Status::NoRoom, self.floods.least());
             report.closest = Some(self.search.world(nearest));
             return;
         }
-        if let Some(known) = self.known.better().or(self.proof) {
+        if let Some(known) = self.known.take_better().or_else(|| self.proof.take()) {
             *report = report.with_path_of(known);
         } else if report.status == Status::NoPath {
             report.status = self.doubt.unwrap_or(Status::BudgetExhausted(report.rs_bound));

@@ -17,7 +17,7 @@ fn known(paths: &[(f64, u32, f64)]) -> KnownPaths {
 
 /// The better of some paths, in the order in which they are found.
 fn better(paths: &[(f64, u32, f64)]) -> (f64, u32) {
-    let better = known(paths).better().unwrap();
+    let better = known(paths).take_better().unwrap();
     (better.margin, changes(&better))
 }
 
@@ -37,7 +37,22 @@ fn less_margin_is_better_where_it_saves_enough_gear_changes() {
     // With the same margin the cheaper one counts, whichever comes first.
     assert_eq!(better(&[(0.1, 6, 40.0), (0.1, 5, 30.0)]), (0.1, 5));
     assert_eq!(better(&[(0.1, 5, 30.0), (0.1, 6, 40.0)]), (0.1, 5));
-    assert!(known(&[]).better().is_none() && known(&[]).is_empty());
+    assert!(known(&[]).take_better().is_none() && known(&[]).is_empty());
+}
+
+#[test]
+fn the_next_best_path_is_kept_beside_the_better_one() {
+    let next_best = |paths: &[(f64, u32, f64)]| {
+        let mut known = known(paths);
+        known.take_better();
+        known.next_best().map(changes)
+    };
+    assert_eq!(next_best(&[(0.03, 2, 10.0), (0.1, 4, 20.0)]), Some(4));
+    assert_eq!(next_best(&[(0.03, 3, 10.0), (0.1, 4, 20.0)]), Some(3));
+    assert_eq!(next_best(&[(0.1, 6, 40.0), (0.1, 5, 30.0)]), Some(6));
+    // One that keeps less than is comfortable is no answer beside another.
+    assert_eq!(next_best(&[(0.01, 2, 10.0), (0.1, 4, 20.0)]), None);
+    assert_eq!(next_best(&[(0.03, 2, 10.0)]), None);
 }
 
 #[test]
