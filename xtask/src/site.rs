@@ -35,10 +35,11 @@ const CORE_FLAGS: &[&str] = &["-C", "opt-level=s", "-C", "llvm-args=--inline-thr
 /// Constants that are added to an address become part of the access. That asks for a first kilobyte of memory without
 /// data: the stack lies there, and ends with a trap when it is full.
 const ADDRESSES: &[&str] = &["--low-memory-unused", "--optimize-added-constants-propagate"];
+/// The complete module shall be fast, …
 const COMPLETE_AIMS: &[&str] = &["--gufa", "-O3"];
-/// Of functions with one caller only those of up to so many instructions become part of it: large ones pack better on
-/// their own, and are no slower. Those so small that a call is no shorter become part of every caller. Loops and
-/// branches that are made anew from the graph of the flow are shorter, and no slower.
+/// … and the first download small. Of functions with one caller only those of up to so many instructions become part
+/// of it: large ones pack better on their own, and are no slower. Those so small that a call is no shorter become part
+/// of every caller. Loops and branches that are made anew from the graph of the flow are shorter, and no slower.
 const CORE_AIMS: &[&str] = &[
     "--one-caller-inline-max-function-size=375",
     "--always-inline-max-function-size=5",
