@@ -117,21 +117,24 @@ fn the_tightest_slots_are_entered_with_three_centimetres() {
     }
 }
 
-/// The first lattice that gets out of a slot takes 22 gear changes where a shorter slot takes 18.
+/// The first lattice that gets out of a slot takes 22 gear changes where a shorter slot takes 18. In the roomy slots
+/// the coarsest answers, with four where shorter ones take two.
 #[cfg(not(target_arch = "wasm32"))]
 #[test]
 fn a_longer_slot_takes_hardly_more_gear_changes() {
-    let mut fewest: Vec<(f64, u32)> = Vec::new();
-    for step in 0..=16 {
-        let slack = 0.85 + 0.05 * f64::from(step);
-        let Scene { name, vehicle, obstacles, start, goal, .. } =
-            &kerb(&Vehicle::SEDAN, 36, (slack, slack), (4.2, 6.5));
-        let query = Query { obstacles, vehicle, start: *start, goal: *goal };
-        let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
-        let changes = arcs::direction_changes(&report.arcs);
-        let shorter = fewest.iter().filter(|(margin, _)| *margin >= report.margin).map(|one| one.1).min();
-        assert!(shorter.is_none_or(|shorter| changes <= shorter + 2), "{name}: {changes}, {shorter:?}");
-        fewest.push((report.margin, changes));
+    for (seed, steps) in [(36, 0..=16), (4201, 17..=33), (5705, 17..=33)] {
+        let mut fewest: Vec<(f64, u32)> = Vec::new();
+        for step in steps {
+            let slack = 0.85 + 0.05 * f64::from(step);
+            let Scene { name, vehicle, obstacles, start, goal, .. } =
+                &kerb(&Vehicle::SEDAN, seed, (slack, slack), (4.2, 6.5));
+            let query = Query { obstacles, vehicle, start: *start, goal: *goal };
+            let report = plan(&query, &Config::default(), &mut Scratch::default(), false, &mut None);
+            let changes = arcs::direction_changes(&report.arcs);
+            let shorter = fewest.iter().filter(|(margin, _)| *margin >= report.margin).map(|one| one.1).min();
+            assert!(shorter.is_none_or(|shorter| changes <= shorter + 1), "{name}: {changes}, {shorter:?}");
+            fewest.push((report.margin, changes));
+        }
     }
 }
 
@@ -313,7 +316,12 @@ fn a_path_with_many_gear_changes_is_bettered_by_finer_steps() {
             }
             let usual = answer(Config::default());
             let after = arcs::direction_changes(&usual.arcs);
-            assert!(usual.cost <= coarse.cost && usual.margin == coarse.margin, "{name}");
+            let is_worth_it = usual.margin == coarse.margin || (usual.margin >= 0.03 && after < before);
+            assert!(
+                usual.cost <= coarse.cost && is_worth_it,
+                "{name}: {after} of {before}, {} m",
+                usual.margin
+            );
             ratios.push(usual.cost / coarse.cost);
             saved += i64::from(before) - i64::from(after);
         }

@@ -41,6 +41,9 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     let other = || may_swap.then(|| search.swapped(floods.get(widest, true)));
     let first = search.first(&other, search.config.level(0), work);
     if first == First::Found || levels == 1 {
+        if IS_COMPLETE {
+            second_look::squeeze(search, floods, None, work);
+        }
         return;
     }
     let mut turns = Turns::new(search, floods, widest, first == First::Cramped);

@@ -16,7 +16,11 @@
 //! comfortable. The same is tried with the next best path that was found, and with each that a search finds.
 //!
 //! The others are not asked where two have spent their work in vain, nor where no more than very many changes are left
-//! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more.
+//! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more. One
+//! more with small steps of one length is, as it misses other ways.
+//!
+//! Out of a path that the first level found, moves are only squeezed: that takes little time, and there the level has
+//! already searched for one with fewer changes.
 
 use super::floods::Floods;
 use super::known_paths::changes_to_save;
@@ -33,8 +37,10 @@ const WEIGHT: f64 = 2.0;
 const COARSE_EXPANSIONS: u32 = 5000;
 /// … of those between, …
 const FINE_EXPANSIONS: u32 = 20_000;
-/// … and of the refined ones.
+/// … of the refined ones, …
 const FINEST_EXPANSIONS: u32 = 16_000;
+/// … and of the last.
+const LAST_EXPANSIONS: u32 = 12_000;
 /// Where there are more gear changes than this, more lattices are asked, as each misses some ways. A search on a fine
 /// one is worth more, unless the car creeps anyway: …
 const VERY_MANY_CHANGES: u32 = 8;
@@ -51,32 +57,35 @@ const COARSE: f64 = 0.06;
 /// A path may cost so many times what is left of it after the shortcut.
 const BEFORE_SHORTCUT: f64 = 1.6;
 
-/// Replaces the path in `work`, where it changes gear often, by one with fewer changes: by a cheaper one with the same
-/// margin, or by one with less. `next_best` is another one that was found.
-pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
-    let config = search.config;
-    if changes(work.report) <= FEW_CHANGES || config.levels() <= FIRST_SHUFFLING_LEVEL {
-        return;
-    }
-    let at = |margin: f64| floods.margins.iter().position(|&one| one == margin);
-    let Some(kept) = at(work.report.margin) else { return };
-    let coarsest = (config.level(0), 0, COARSE_EXPANSIONS);
-    let less = at(COMFORTABLE_MARGIN).map_or(kept, |comfortable| comfortable.max(kept));
+/// Squeezes moves out of the path in `work`, where it changes gear often, and out of `next_best`, another one that was
+/// found.
+pub(super) fn squeeze(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
+    let Some((_, less)) = margins(&search, floods, work.report) else { return };
+    let less = floods.margin(less);
     let squeeze = |path: &Report, margin: f64, report: &mut Report| {
         if changes(report) > FEW_CHANGES {
             let saved = if margin < report.margin { changes_to_save(report) } else { 1 };
-            search.squeeze(config.level(1), (path, margin), saved, report);
+            search.squeeze(search.config.level(1), (path, margin), saved, report);
         }
     };
     let known = work.report.clone();
     squeeze(&known, known.margin, work.report);
     if let Some(next_best) = next_best {
-        squeeze(next_best, floods.margin(less), work.report);
+        squeeze(next_best, less, work.report);
     }
-    if work.report.margin > floods.margin(less) {
+    if work.report.margin > less {
         let known = work.report.clone();
-        squeeze(&known, floods.margin(less), work.report);
+        squeeze(&known, less, work.report);
     }
+}
+
+/// Replaces the path in `work`, where it changes gear often, by one with fewer changes: by a cheaper one with the same
+/// margin, or by one with less. `next_best` is another one that was found.
+pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
+    let config = search.config;
+    let Some((kept, less)) = margins(&search, floods, work.report) else { return };
+    squeeze(search, floods, next_best, work);
+    let coarsest = (config.level(0), 0, COARSE_EXPANSIONS);
     if less > kept {
         attempt((search, floods), coarsest, kept, 1, work);
     }
@@ -110,6 +119,21 @@ pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Rep
             break;
         }
     }
+    if (MANY_CHANGES + 1..=VERY_MANY_CHANGES).contains(&changes(work.report)) {
+        let last = (config.level(1).between(config), 1, LAST_EXPANSIONS);
+        attempt((search, floods), last, less, changes_to_save(work.report), work);
+    }
+}
+
+/// The places of two margins in the list: of what a path keeps, and of what it may keep. Nothing where it changes gear
+/// seldom, or the settings ask for few levels.
+fn margins(search: &Search, floods: &Floods, path: &Report) -> Option<(usize, usize)> {
+    if changes(path) <= FEW_CHANGES || search.config.levels() <= FIRST_SHUFFLING_LEVEL {
+        return None;
+    }
+    let at = |margin: f64| floods.margins.iter().position(|&one| one == margin);
+    let kept = at(path.margin)?;
+    Some((kept, at(COMFORTABLE_MARGIN).map_or(kept, |comfortable| comfortable.max(kept))))
 }
 
 /// How one more search ended.
