@@ -31,6 +31,7 @@ use super::config::SearchFrom;
 use super::level::First;
 use super::question::{Search, Work};
 use crate::IS_COMPLETE;
+use crate::geometry::arcs;
 use turns::Turns;
 
 /// Finds a path with the largest margin that some member keeps, or why there is none. `widest` is the largest margin to
@@ -41,7 +42,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     let other = || may_swap.then(|| search.swapped(floods.get(widest, true)));
     let first = search.first(&other, search.config.level(0), work);
     if first == First::Found || levels == 1 {
-        if IS_COMPLETE {
+        if IS_COMPLETE && arcs::direction_changes(&work.report.arcs) >= MANY_CHANGES {
             second_look::squeeze(search, floods, None, work);
         }
         return;

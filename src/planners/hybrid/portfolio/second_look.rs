@@ -19,8 +19,8 @@
 //! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more. One
 //! more with small steps of one length is, as it misses other ways.
 //!
-//! Out of a path that the first level found, moves are only squeezed: that takes little time, and there the level has
-//! already searched for one with fewer changes.
+//! Out of a path with many changes that the first level found, moves are only squeezed: that level has already searched
+//! for one with fewer.
 
 use super::floods::Floods;
 use super::known_paths::changes_to_save;
