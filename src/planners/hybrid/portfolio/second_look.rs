@@ -17,7 +17,7 @@
 //!
 //! The others are not asked where two have spent their work in vain, nor where no more than very many changes are left
 //! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more. One
-//! more with small steps of one length is, as it misses other ways.
+//! last search, with small steps of one length, is made all the same where some changes are left: it misses other ways.
 //!
 //! Out of a path with many changes that the first level found, moves are only squeezed: that level has already searched
 //! for one with fewer.
