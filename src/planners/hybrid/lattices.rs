@@ -145,11 +145,15 @@ impl Level {
         Self { xy, yaw, step, weight, rock: ROCK_BINS * yaw, ..self }
     }
 
-    /// The same lattice for a car that does not rock: one between the plain levels.
-    pub(super) fn between(self, config: &Config) -> Self {
-        Self { rock: 0.0, ..self.fine_rocking(config) }
+    /// One of the lattices between the plain levels, from 1 on.
+    pub(super) fn between(self, number: usize) -> Self {
+        let (xy, degrees, step) = BETWEEN[number - 1];
+        Self { xy, yaw: degrees * DEGREE, step, ..self }
     }
 }
+
+/// Lattices between levels 1 and 3, for cars that find a way but change gear often: metres, degrees, metres.
+const BETWEEN: [(f64, f64, f64); 3] = [(0.1, 1.2, 0.15), (0.1, 1.3, 0.2), (0.06, 0.75, 0.1)];
 
 /// Finer lattices for a car that gains millimetres with each gear change: metres, degrees, metres.
 const REFINED: [(f64, f64, f64); REFINEMENTS] =

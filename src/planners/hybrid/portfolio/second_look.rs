@@ -16,8 +16,7 @@
 //! comfortable. The same is tried with the next best path that was found, and with each that a search finds.
 //!
 //! The others are not asked where two have spent their work in vain, nor where no more than very many changes are left
-//! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more. One
-//! last search, with small steps of one length, is made all the same where some changes are left: it misses other ways.
+//! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more.
 //!
 //! Out of a path with many changes that the first level found, moves are only squeezed: that level has already searched
 //! for one with fewer.
@@ -37,10 +36,8 @@ const WEIGHT: f64 = 2.0;
 const COARSE_EXPANSIONS: u32 = 5000;
 /// … of those between, …
 const FINE_EXPANSIONS: u32 = 20_000;
-/// … of the refined ones, …
+/// … and of the refined ones.
 const FINEST_EXPANSIONS: u32 = 16_000;
-/// … and of the last.
-const LAST_EXPANSIONS: u32 = 12_000;
 /// Where there are more gear changes than this, more lattices are asked, as each misses some ways. A search on a fine
 /// one is worth more, unless the car creeps anyway: …
 const VERY_MANY_CHANGES: u32 = 8;
@@ -90,15 +87,17 @@ pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Rep
         attempt((search, floods), coarsest, kept, 1, work);
     }
     let finest = config.level(FINEST_LEVEL);
-    let fine = |level, number| (level, number, FINE_EXPANSIONS);
+    let fine = |level: Level, number| (level.shortening(), number, FINE_EXPANSIONS);
+    let between = |number| config.level(FIRST_FINE_LEVEL).between(number);
     let refined = |number| (finest.refined(number, config), FINEST_LEVEL, FINEST_EXPANSIONS);
     // Less margin saves gear changes where there are few, too.
     let few = if less > kept { FEW_CHANGES } else { MANY_CHANGES };
     let searches = [
         (coarsest, FEW_CHANGES),
-        (fine(config.level(1).shortening(), 1), few),
-        (fine(config.level(2).shortening(), 2), few),
-        (fine(config.level(3).shortening(), 3), MANY_CHANGES - 1),
+        (fine(config.level(1), 1), few),
+        (fine(between(1), FIRST_FINE_LEVEL), few),
+        (fine(between(2), FIRST_FINE_LEVEL), MANY_CHANGES),
+        (fine(between(3), FIRST_FINE_LEVEL + 1), MANY_CHANGES - 1),
         (refined(2), VERY_MANY_CHANGES),
         (refined(3), VERY_MANY_CHANGES),
     ];
@@ -118,10 +117,6 @@ pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Rep
         if in_vain == MOST_IN_VAIN || (is_settled && changes(work.report) <= VERY_MANY_CHANGES) {
             break;
         }
-    }
-    if (MANY_CHANGES + 1..=VERY_MANY_CHANGES).contains(&changes(work.report)) {
-        let last = (config.level(1).between(config), 1, LAST_EXPANSIONS);
-        attempt((search, floods), last, less, changes_to_save(work.report), work);
     }
 }
 
