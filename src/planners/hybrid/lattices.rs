@@ -139,21 +139,21 @@ impl Level {
 
     /// The finer lattice that rocks. With less weight there are too many states to go through.
     pub(super) fn fine_rocking(self, config: &Config) -> Self {
-        let (xy, degrees, step, weight) = FINE_ROCKING;
-        let yaw = degrees * DEGREE;
-        let weight = config.heuristic_weight.unwrap_or(weight);
-        Self { xy, yaw, step, weight, rock: ROCK_BINS * yaw, ..self }
+        let level = self.beside(BESIDE.len());
+        let weight = config.heuristic_weight.unwrap_or(FINE_ROCKING_WEIGHT);
+        Self { weight, rock: ROCK_BINS * level.yaw, ..level }
     }
 
-    /// One of the lattices between the plain levels, from 1 on.
-    pub(super) fn between(self, number: usize) -> Self {
-        let (xy, degrees, step) = BETWEEN[number - 1];
+    /// One of the lattices beside the plain levels, from 1 on.
+    pub(super) fn beside(self, number: usize) -> Self {
+        let (xy, degrees, step) = BESIDE[number - 1];
         Self { xy, yaw: degrees * DEGREE, step, ..self }
     }
 }
 
-/// Lattices between levels 1 and 3, for cars that find a way but change gear often: metres, degrees, metres.
-const BETWEEN: [(f64, f64, f64); 3] = [(0.1, 1.2, 0.15), (0.1, 1.3, 0.2), (0.06, 0.75, 0.1)];
+/// Lattices beside levels 2 and 3, for cars that find a way but change gear often: metres, degrees, metres. The last
+/// one rocks as well.
+const BESIDE: [(f64, f64, f64); 3] = [(0.1, 1.2, 0.15), (0.1, 1.3, 0.2), (0.06, 0.75, 0.1)];
 
 /// Finer lattices for a car that gains millimetres with each gear change: metres, degrees, metres.
 const REFINED: [(f64, f64, f64); REFINEMENTS] =
@@ -166,8 +166,8 @@ const REFINED_WEIGHT: f64 = 1.3;
 pub(super) const CHEAP_CHANGE_COST: f64 = 0.2;
 /// Turn of a rock, in heading bins: it leaves the bin.
 const ROCK_BINS: f64 = 2.0;
-/// The finer lattice of those that rock: metres, degrees, metres, and the weight of the estimate.
-const FINE_ROCKING: (f64, f64, f64, f64) = (0.06, 0.75, 0.1, 3.0);
+/// Weight of the estimate on the finer lattice of those that rock.
+const FINE_ROCKING_WEIGHT: f64 = 3.0;
 /// Every so-many-th state is tried with a curve to the target while the car may rock.
 const ROCKING_CONNECT_EVERY: u8 = 16;
 

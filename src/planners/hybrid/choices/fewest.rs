@@ -18,11 +18,11 @@ const CHANGE_PRICE: f64 = 100.0;
 /// … and this many lengths of the first path. No way that is worth taking is as long.
 const CHANGE_PRICE_LENGTHS: f64 = 3.0;
 
-/// The lattices of a car that creeps, and their levels' numbers: those of the plain levels and two between them.
+/// The lattices of a car that creeps, and their levels' numbers: those of the plain levels and two others.
 pub(super) fn creeping_levels(config: &Config) -> impl Iterator<Item = (Level, u32)> + use<> {
     let finest = FIRST_SHUFFLING_LEVEL - 1;
     let [coarse, fine] = [0, finest].map(|number| config.level(number));
-    let others = [(fine.between(3), finest), (fine.refined(1, config), finest)];
+    let others = [(fine.beside(3), finest), (fine.refined(1, config), finest)];
     let plain: Vec<_> = (0..=finest).map(|number| (config.level(number), number)).collect();
     plain.into_iter().chain(others).map(move |(level, number)| {
         let weight = if number == 0 { coarse.weight } else { fine.weight };

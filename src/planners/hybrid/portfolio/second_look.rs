@@ -7,7 +7,7 @@
 //! search soon ends where there is nothing to gain.
 //!
 //! A path with a large margin gives it up, down to what is comfortable, where that saves enough gear changes
-//! (`known_paths`). One with many changes is held against ever finer lattices, and one with very many against two more:
+//! (`known_paths`). One with many changes is held against finer lattices, and one with very many against two more:
 //! what one misses the next one finds. Most of them shorten the moves that something blocks: what a fixed step leaves
 //! of a slot's room falls and rises with the length of the slot, and a longer one must not take more changes for that.
 //! A path that keeps no more than is comfortable is held against the same searches with its own margin.
@@ -88,16 +88,16 @@ pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Rep
     }
     let finest = config.level(FINEST_LEVEL);
     let fine = |level: Level, number| (level.shortening(), number, FINE_EXPANSIONS);
-    let between = |number| config.level(FIRST_FINE_LEVEL).between(number);
+    let beside = |number| config.level(FIRST_FINE_LEVEL).beside(number);
     let refined = |number| (finest.refined(number, config), FINEST_LEVEL, FINEST_EXPANSIONS);
     // Less margin saves gear changes where there are few, too.
     let few = if less > kept { FEW_CHANGES } else { MANY_CHANGES };
     let searches = [
         (coarsest, FEW_CHANGES),
         (fine(config.level(1), 1), few),
-        (fine(between(1), FIRST_FINE_LEVEL), few),
-        (fine(between(2), FIRST_FINE_LEVEL), MANY_CHANGES),
-        (fine(between(3), FIRST_FINE_LEVEL + 1), MANY_CHANGES - 1),
+        (fine(beside(1), FIRST_FINE_LEVEL), few),
+        (fine(beside(2), FIRST_FINE_LEVEL), MANY_CHANGES),
+        (fine(beside(3), FIRST_FINE_LEVEL + 1), MANY_CHANGES - 1),
         (refined(2), VERY_MANY_CHANGES),
         (refined(3), VERY_MANY_CHANGES),
     ];
