@@ -229,8 +229,15 @@ impl<'a> StateLattice<'a> {
         moves.clear();
         let is_farthest = IS_COMPLETE && self.level.shuffles() && driven.abs() < self.level.step;
         for primitive in &self.primitives {
-            // While shuffling, an arc ends where something is in the way, or half as far, and its other end goes on.
-            if is_farthest && primitive.curvature == motion.curvature && primitive.length * driven > 0.0 {
+            if motion.then(primitive).changes > self.level.most_changes {
+                continue;
+            }
+            // While shuffling, an arc ends where something is in the way, or half as far, and its other end goes on. Back
+            // along it is where the car came from.
+            let is_same = IS_COMPLETE && self.level.shuffles() && primitive.curvature == motion.curvature;
+            if is_same
+                && (primitive.length * driven < 0.0 || (is_farthest && primitive.length * driven > 0.0))
+            {
                 continue;
             }
             for length in self.lengths(pose, primitive).into_iter().filter(|&length| length != 0.0) {
@@ -240,9 +247,6 @@ impl<'a> StateLattice<'a> {
                     continue;
                 }
                 let (end, motion) = (pose.advance_turned(turned, arc.curvature, length), motion.then(&arc));
-                if motion.changes > self.level.most_changes {
-                    continue;
-                }
                 let to = State { pose: end, motion, length };
                 let key = self.key(end, motion.gear);
                 moves.push(Move { key, node: 0, cost, arc, to });

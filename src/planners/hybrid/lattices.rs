@@ -144,6 +144,12 @@ impl Level {
         Self { weight, rock: ROCK_BINS * level.yaw, ..level }
     }
 
+    /// The lattice with moves up to contact.
+    pub(super) fn up_to_contact(self) -> Self {
+        let (xy, degrees, step) = UP_TO_CONTACT;
+        Self { xy, yaw: degrees * DEGREE, step, lengths: Lengths::Shuffling, ..self }
+    }
+
     /// One of the lattices beside the plain levels, from 1 on.
     pub(super) fn beside(self, number: usize) -> Self {
         let (xy, degrees, step) = BESIDE[number - 1];
@@ -153,7 +159,11 @@ impl Level {
 
 /// Lattices beside levels 2 and 3, for cars that find a way but change gear often: metres, degrees, metres. The last
 /// one rocks as well.
-const BESIDE: [(f64, f64, f64); 3] = [(0.1, 1.2, 0.15), (0.1, 1.3, 0.2), (0.06, 0.75, 0.1)];
+const BESIDE: [(f64, f64, f64); 2] = [(0.1, 1.2, 0.15), (0.06, 0.75, 0.1)];
+
+/// A lattice on which a car goes on until something is in the way, coarser than those for cars that can hardly move:
+/// metres, degrees, metres.
+const UP_TO_CONTACT: (f64, f64, f64) = (0.1, 2.0, 1.0);
 
 /// Finer lattices for a car that gains millimetres with each gear change: metres, degrees, metres.
 const REFINED: [(f64, f64, f64); REFINEMENTS] =

@@ -370,7 +370,7 @@ impl Search<'_> {
     }
 
     /// The path after the shortcut, where the settings ask for one.
-    fn straightened(&self, arcs: &[Arc], level: Level, margin: f64) -> Vec<Arc> {
+    pub(super) fn straightened(&self, arcs: &[Arc], level: Level, margin: f64) -> Vec<Arc> {
         if !self.config.shortcut {
             return arcs.to_vec();
         }
@@ -381,7 +381,7 @@ impl Search<'_> {
 
     /// True if the path is free at the finest spacing, keeps its margin and ends at the goal. The least margin is what
     /// passes unseen between two checks, so it is not looked for.
-    fn verified(&self, arcs: &[Arc], margin: f64) -> bool {
+    pub(super) fn verified(&self, arcs: &[Arc], margin: f64) -> bool {
         let mut pose = self.start;
         let free = arcs.iter().all(|arc| {
             let free = if margin > MIN_MARGIN {

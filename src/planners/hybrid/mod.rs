@@ -40,9 +40,11 @@ mod obstacle_heuristic;
 mod obstruction;
 mod portfolio;
 mod pose_heuristic;
+mod press;
 mod profile;
 mod question;
 mod recording;
+mod regain;
 mod report;
 mod rivals;
 

@@ -12,10 +12,10 @@ use std::cell::Cell as Counter;
 
 use super::Corridor;
 use super::Obstacles;
-use super::edge::segment_distance;
+use super::edge::{Edge, segment_distance};
 use crate::IS_COMPLETE;
 use crate::geometry::arcs::Arc;
-use crate::geometry::{Point, Pose, math};
+use crate::geometry::{Point, Pose, Vector, math};
 use crate::map::WeightMap;
 use crate::vehicle::Vehicle;
 
@@ -70,9 +70,14 @@ impl Placement {
         Self { x: self.x + x, y: self.y + y, ..self }
     }
 
-    fn local(self, p: Point) -> Point {
+    pub(super) fn local(self, p: Point) -> Point {
         let (dx, dy) = (p.x - self.x, p.y - self.y);
         Point::new(dx * self.cos + dy * self.sin, dy * self.cos - dx * self.sin)
+    }
+
+    /// A vector of the body's frame in the world's.
+    pub(super) fn turn(self, v: Vector) -> Vector {
+        Vector::new(v.x * self.cos - v.y * self.sin, v.x * self.sin + v.y * self.cos)
     }
 }
 
@@ -253,15 +258,23 @@ impl<'a> CollisionChecker<'a> {
         if best <= CONTACT { 0.0 } else { best }
     }
 
+    /// Calls `see` with all edges that come near a box along the axes.
+    pub(super) fn edges_near(&self, (low, high): (Point, Point), mut see: impl FnMut(&Edge)) {
+        self.obstacles.find(low, high, |edge| {
+            see(edge);
+            false
+        });
+    }
+
     /// Front, back, left and right of the grown body in its own frame.
-    fn sides(&self, margin: f64) -> [f64; 4] {
+    pub(super) fn sides(&self, margin: f64) -> [f64; 4] {
         let v = &self.vehicle;
         let side = v.width / 2.0 + margin;
         [v.rear_to_front + margin, -v.rear_to_back - margin, side, -side]
     }
 
     /// The box along the axes around the grown body.
-    fn bounds(&self, at: Placement, margin: f64) -> (Point, Point) {
+    pub(super) fn bounds(&self, at: Placement, margin: f64) -> (Point, Point) {
         let v = &self.vehicle;
         let (half, side) = (v.length() / 2.0 + margin, v.width / 2.0 + margin);
         let ahead = (v.rear_to_front - v.rear_to_back) / 2.0;

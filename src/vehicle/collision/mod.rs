@@ -30,6 +30,7 @@
 
 mod along_arc;
 mod checker;
+mod contacts;
 mod corridor;
 mod edge;
 mod edge_buckets;
@@ -40,6 +41,7 @@ mod tests;
 mod variant;
 
 pub use checker::CollisionChecker;
+pub(crate) use contacts::Contact;
 pub use corridor::Corridor;
 pub use edge::Edge;
 pub use obstacles::{Obstacles, Original, Solid};

@@ -129,6 +129,35 @@ fn clearance_is_the_distance_to_the_nearest_edge() {
     assert!(measured > 500, "{measured}");
 }
 
+/// The nearest contact is as far as the body has room; moved away from it by a little, the body has so much more, where
+/// no other is as near.
+#[test]
+fn contacts_tell_the_distance_and_the_way_off() {
+    let (world, car) = (world(12), Vehicle::SEDAN);
+    let checker = CollisionChecker::new(&world.obstacles, &car);
+    let (mut found, mut alone) = (Vec::new(), 0);
+    for k in 0..3000 {
+        let pose = pose(k);
+        let room = checker.clearance(pose, 1.0);
+        if room == 0.0 {
+            continue;
+        }
+        checker.contacts(pose, 1.0, &mut found);
+        let nearest = found.iter().map(|contact| contact.distance).fold(1.0, f64::min);
+        assert!((room - nearest).abs() < 1e-9, "{pose:?}: {room} {nearest}");
+        assert!(found.iter().all(|contact| contact.distance < 1.0));
+        let near: Vec<_> = found.iter().filter(|contact| contact.distance < nearest + 0.01).collect();
+        if let [one] = near[..] {
+            assert!((one.away.norm_squared() - 1.0).abs() < 1e-9);
+            let off = pose.point() + one.away * 1e-4;
+            let then = checker.clearance(Pose::new(off.x, off.y, pose.heading), 2.0);
+            assert!((then - room - 1e-4).abs() < 1e-6, "{pose:?}: {room} {then}");
+            alone += 1;
+        }
+    }
+    assert!(alone > 100, "{alone}");
+}
+
 #[test]
 fn points_are_as_far_as_the_nearest_edge() {
     let world = world(40);

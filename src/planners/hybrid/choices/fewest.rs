@@ -22,7 +22,7 @@ const CHANGE_PRICE_LENGTHS: f64 = 3.0;
 pub(super) fn creeping_levels(config: &Config) -> impl Iterator<Item = (Level, u32)> + use<> {
     let finest = FIRST_SHUFFLING_LEVEL - 1;
     let [coarse, fine] = [0, finest].map(|number| config.level(number));
-    let others = [(fine.beside(3), finest), (fine.refined(1, config), finest)];
+    let others = [(fine.beside(2), finest), (fine.refined(1, config), finest)];
     let plain: Vec<_> = (0..=finest).map(|number| (config.level(number), number)).collect();
     plain.into_iter().chain(others).map(move |(level, number)| {
         let weight = if number == 0 { coarse.weight } else { fine.weight };

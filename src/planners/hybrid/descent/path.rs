@@ -297,7 +297,7 @@ impl<'a> Path<'a> {
 }
 
 /// The arcs of a move, by its number: of those between two gear changes.
-fn move_of(arcs: &[Arc], number: usize) -> Range<usize> {
+pub(in crate::planners::hybrid) fn move_of(arcs: &[Arc], number: usize) -> Range<usize> {
     let mut ends = arcs.chunk_by(|one, next| one.length * next.length > 0.0).scan(0, |end, arcs| {
         *end += arcs.len();
         Some(*end - arcs.len()..*end)

@@ -7,16 +7,15 @@
 //! search soon ends where there is nothing to gain.
 //!
 //! A path with a large margin gives it up, down to what is comfortable, where that saves enough gear changes
-//! (`known_paths`). One with many changes is held against finer lattices, and one with very many against two more:
-//! what one misses the next one finds. Most of them shorten the moves that something blocks: what a fixed step leaves
-//! of a slot's room falls and rises with the length of the slot, and a longer one must not take more changes for that.
-//! A path that keeps no more than is comfortable is held against the same searches with its own margin.
+//! (`known_paths`). One with many changes is held against finer lattices: what one misses the next one finds. They
+//! shorten the moves that something blocks: what a fixed step leaves of a slot's room falls and rises with the length
+//! of the slot, and a longer one must not take more changes for that. Most of them are lent some margin, which makes
+//! the slot longer; their path must regain it (`regain`). A path that keeps no more than is comfortable is held against
+//! the same searches with its own margin.
 //!
 //! Moves are squeezed out of the known path before that (`squeeze`): with its margin, and then with no more than is
-//! comfortable. The same is tried with the next best path that was found, and with each that a search finds.
-//!
-//! The others are not asked where two have spent their work in vain, nor where no more than very many changes are left
-//! and one has just saved some or shown that its fine lattice holds nothing better: they would hardly find more.
+//! comfortable. The same is tried with the next best path that was found, and with each that a search finds. Then moves
+//! are pressed out of it, and out of each better one (`press`): that saves more changes than the searches do.
 //!
 //! Out of a path with many changes that the first level found, moves are only squeezed: that level has already searched
 //! for one with fewer.
@@ -36,19 +35,12 @@ const WEIGHT: f64 = 2.0;
 const COARSE_EXPANSIONS: u32 = 5000;
 /// … of those between, …
 const FINE_EXPANSIONS: u32 = 20_000;
-/// … and of the refined ones.
-const FINEST_EXPANSIONS: u32 = 16_000;
-/// Where there are more gear changes than this, more lattices are asked, as each misses some ways. A search on a fine
-/// one is worth more, unless the car creeps anyway: …
+/// Where there are more gear changes than this, a search on a fine lattice is worth more, unless the car creeps anyway: …
 const VERY_MANY_CHANGES: u32 = 8;
 /// … so many expansions for each of them.
 const EXPANSIONS_PER_CHANGE: u32 = 5000;
-/// Where so many searches beyond the coarsest spend their work in vain, the others are not asked.
-const MOST_IN_VAIN: u32 = 2;
-/// The level that is refined.
-const FINEST_LEVEL: u32 = FIRST_SHUFFLING_LEVEL - 1;
-/// Lattices of lower levels are soon searched, and what they miss or save tells little of the next ones.
-const FIRST_FINE_LEVEL: u32 = 2;
+/// The level that lattices beside it are told by.
+const FINE_LEVEL: u32 = 2;
 /// Lattices with larger cells are coarse, metres.
 const COARSE: f64 = 0.06;
 /// A path may cost so many times what is left of it after the shortcut.
@@ -82,39 +74,41 @@ pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Rep
     let config = search.config;
     let Some((kept, less)) = margins(&search, floods, work.report) else { return };
     squeeze(search, floods, next_best, work);
-    let coarsest = (config.level(0), 0, COARSE_EXPANSIONS);
+    let plain = |level, number, few| Look { level, number, most: FINE_EXPANSIONS, few, is_lent: false };
+    let coarsest = Look { most: COARSE_EXPANSIONS, ..plain(config.level(0), 0, FEW_CHANGES) };
     if less > kept {
         attempt((search, floods), coarsest, kept, 1, work);
     }
-    let finest = config.level(FINEST_LEVEL);
-    let fine = |level: Level, number| (level.shortening(), number, FINE_EXPANSIONS);
-    let beside = |number| config.level(FIRST_FINE_LEVEL).beside(number);
-    let refined = |number| (finest.refined(number, config), FINEST_LEVEL, FINEST_EXPANSIONS);
+    let coarse = config.level(1).shortening();
+    let beside = |number, few| plain(config.level(FINE_LEVEL).beside(number).shortening(), FINE_LEVEL, few);
+    let up_to_contact = plain(config.level(FINE_LEVEL).up_to_contact(), FIRST_SHUFFLING_LEVEL, MANY_CHANGES);
+    let lent = |look| Look { is_lent: true, ..look };
     // Less margin saves gear changes where there are few, too.
     let few = if less > kept { FEW_CHANGES } else { MANY_CHANGES };
-    let searches = [
-        (coarsest, FEW_CHANGES),
-        (fine(config.level(1), 1), few),
-        (fine(beside(1), FIRST_FINE_LEVEL), few),
-        (fine(beside(2), FIRST_FINE_LEVEL), MANY_CHANGES),
-        (fine(beside(3), FIRST_FINE_LEVEL + 1), MANY_CHANGES - 1),
-        (refined(2), VERY_MANY_CHANGES),
-        (refined(3), VERY_MANY_CHANGES),
+    let looks = [
+        coarsest,
+        plain(coarse, 1, few),
+        lent(plain(coarse, 1, FEW_CHANGES)),
+        lent(beside(1, FEW_CHANGES)),
+        lent(up_to_contact),
     ];
-    let mut in_vain = 0;
-    for (level, few) in searches {
-        if changes(work.report) <= few {
-            continue;
+    press(&search, floods.margin(less), work);
+    for look in looks {
+        let before = changes(work.report);
+        if before > look.few {
+            attempt((search, floods), look, less, changes_to_save(work.report), work);
         }
-        let outcome = attempt((search, floods), level, less, changes_to_save(work.report), work);
-        let number = level.1;
-        let is_settled = match outcome {
-            Outcome::Better => number >= FIRST_FINE_LEVEL,
-            Outcome::NoPath => number > FIRST_FINE_LEVEL,
-            Outcome::Spent | Outcome::NoBetter => false,
-        };
-        in_vain += u32::from(outcome == Outcome::Spent && number > 0);
-        if in_vain == MOST_IN_VAIN || (is_settled && changes(work.report) <= VERY_MANY_CHANGES) {
+        if changes(work.report) < before {
+            press(&search, floods.margin(less), work);
+        }
+    }
+}
+
+/// Presses moves out of the path in `work` as long as one goes, with no more than a margin.
+fn press(search: &Search, margin: f64, work: &mut Work) {
+    while changes(work.report) > FEW_CHANGES {
+        let most = changes(work.report).saturating_sub(changes_to_save(work.report));
+        if !search.press(search.config.level(1), margin, most, work.report) {
             break;
         }
     }
@@ -131,17 +125,22 @@ fn margins(search: &Search, floods: &Floods, path: &Report) -> Option<(usize, us
     Some((kept, at(COMFORTABLE_MARGIN).map_or(kept, |comfortable| comfortable.max(kept))))
 }
 
-/// How one more search ended.
-#[derive(Clone, Copy, PartialEq)]
-enum Outcome {
-    /// Its path was taken.
-    Better,
-    /// It found one that is not worth it.
-    NoBetter,
-    /// It has searched all that might be worth it.
-    NoPath,
-    /// It has spent its work.
-    Spent,
+/// One more search.
+#[derive(Clone, Copy)]
+struct Look {
+    level: Level,
+    number: u32,
+    /// Expansions, at most.
+    most: u32,
+    /// Where there are no more gear changes than this, it is left out.
+    few: u32,
+    /// True if it may keep the next smaller margin, and its path is to regain the other.
+    is_lent: bool,
+}
+
+/// True if a path has so many gear changes at most, and costs less than so much.
+fn is_within((most_changes, limit): (u32, f64), path: &Report) -> bool {
+    changes(path) <= most_changes && path.cost < limit
 }
 
 fn changes(report: &Report) -> u32 {
@@ -151,12 +150,14 @@ fn changes(report: &Report) -> u32 {
 /// Takes the path of one more search, if it costs less and saves so many gear changes.
 fn attempt(
     (search, floods): (Search, &Floods),
-    (level, number, most): (Level, u32, u32),
+    Look { level, number, most, is_lent, .. }: Look,
     margin: usize,
     saved: u32,
     work: &mut Work,
-) -> Outcome {
+) {
     let config = search.config;
+    let wanted = floods.margin(margin);
+    let margin = (margin + usize::from(is_lent)).min(floods.count() - 1);
     let is_swapped = work.report.from_goal != search.mirrored;
     let flood = floods.get(margin, is_swapped);
     let search = if is_swapped { search.swapped(flood) } else { Search { flood, ..search } };
@@ -167,11 +168,16 @@ fn attempt(
     let is_comfortable = floods.margin(margin) >= COMFORTABLE_MARGIN;
     let is_worth_more = number > 0 && is_comfortable && before > VERY_MANY_CHANGES;
     let most = if is_worth_more { EXPANSIONS_PER_CHANGE * before } else { most };
+    let effort = match before {
+        _ if !is_lent => Effort::Squeeze,
+        ..=VERY_MANY_CHANGES => Effort::Shortcut,
+        _ => Effort::Descent,
+    };
     let level = Level {
         max_expansions: level.max_expansions.min(most),
         weight: config.heuristic_weight.unwrap_or(WEIGHT),
         extra_change: MANY_CHANGES_COST,
-        effort: Effort::Squeeze,
+        effort,
         ..level.cheaply_tried(&config.level(0))
     };
     // The shortcut may save some, the more so the coarser the steps and the longer the path.
@@ -181,17 +187,13 @@ fn attempt(
     let bound =
         BEFORE_SHORTCUT * search.costs().searching(&level).path(search.checker, search.start, &known.arcs);
     let limits = (before.saturating_sub(saved), known.cost);
-    let is_better = search.level_below(limits, Level { bound, ..level }, work);
-    let outcome = match work.report.status {
-        _ if is_better => Outcome::Better,
-        Status::BudgetExhausted(_) => Outcome::Spent,
-        Status::NoPath => Outcome::NoPath,
-        _ => Outcome::NoBetter,
-    };
+    let is_better = search.level_below(limits, Level { bound, ..level }, work)
+        && (work.report.margin >= wanted
+            || search.regain(level, wanted, work.report) && is_within(limits, work.report));
     if is_better {
         work.report.status = Status::Suboptimal;
-    } else {
+    }
+    if !is_better {
         *work.report = work.report.with_path_of(known);
     }
-    outcome
 }

@@ -1,0 +1,86 @@
+//! Saving gear changes of a path: a move is pressed out of it, while all others give way.
+//!
+//! In a tight slot one move less means that the others use the room in another way, each a little longer and by other
+//! curves. Which ones and how, follows from what is near: as where a path regains its margin (`super::regain`), but
+//! with arcs that are to vanish. Meanwhile the path may keep less margin than it should. Once the move is gone, its
+//! neighbours are one, and the path regains its margin or is of no use.
+
+use super::descent::move_of;
+use super::lattices::{Effort, Level};
+use super::question::{MIN_MARGIN, Search};
+use super::regain::{Course, LONGEST_STEP, Round, without_short, yielding};
+use super::report::Report;
+use super::shortcut::Rules;
+use crate::geometry::Pose;
+use crate::geometry::arcs::{self, Arc};
+
+/// Rounds for one move, at most.
+const MAX_ROUNDS: u32 = 40;
+/// A move with no more than this left is gone, metres.
+const GONE: f64 = 0.005;
+/// What is missing of the margin counts so many times as much as what is left of the move.
+const MARGIN_WORTH: f64 = 500.0;
+/// A round gains at least this, metres of the move.
+const MIN_GAIN: f64 = 5e-4;
+
+impl Search<'_> {
+    /// Presses moves out of a path, with the checks of a level, so that it keeps a margin in the end; tells whether one
+    /// is gone. The path then costs less and has no more than so many gear changes.
+    #[inline(never)]
+    pub(super) fn press(&self, level: Level, margin: f64, most: u32, report: &mut Report) -> bool {
+        if !self.config.shortcut {
+            return false;
+        }
+        let (this, costs) = (self.arrived(&report.arcs), self.costs());
+        let rules = Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
+        for number in 0..=arcs::direction_changes(&report.arcs) as usize {
+            let Some(wide) = press(rules, self.start, &report.arcs, number) else { continue };
+            if !this.verified(&wide, margin) {
+                continue;
+            }
+            let cheaper = this.straightened(&wide, Level { effort: Effort::Squeeze, ..level }, margin);
+            let arcs = if this.verified(&cheaper, margin) { cheaper } else { wide };
+            let cost = costs.path(self.checker, self.start, &arcs);
+            if cost < report.cost && arcs::direction_changes(&arcs) <= most {
+                (report.arcs, report.cost, report.margin) = (arcs, cost, margin);
+                return true;
+            }
+        }
+        false
+    }
+}
+
+/// A path from `start` to the same end without one of the moves, told by its number, that keeps the margin of the
+/// rules; nothing where the others cannot give way.
+pub(super) fn press(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<Arc>> {
+    let goal = arcs::end(start, arcs);
+    let arcs = yielding(arcs::merge(arcs.to_vec()), rules.costs.radius);
+    let pressed = move_of(&arcs, number);
+    if pressed.is_empty() {
+        return None;
+    }
+    let least = Rules { margin: rules.margin.min(MIN_MARGIN), ..rules };
+    let course = Course { rules: least, start, goal, pressed: pressed.clone() };
+    let left = |path: &[Arc]| arcs::length(&path[pressed.clone()]);
+    let worth = |path: &[Arc], round: &Round| left(path) + MARGIN_WORTH * round.missing.sqrt();
+    let is_better = |next: &[Arc], one: &Round, path: &[Arc], round: &Round| {
+        worth(next, one) < worth(path, round) - MIN_GAIN
+    };
+    let mut path = course.close(arcs)?;
+    let mut round = course.round(&path)?;
+    let mut step = LONGEST_STEP;
+    let mut rounds = 0;
+    while left(&path) > GONE {
+        rounds += 1;
+        if rounds > MAX_ROUNDS {
+            return None;
+        }
+        course.advance((&mut path, &mut round), &mut step, is_better)?;
+    }
+    path.drain(pressed.clone());
+    let course = Course { rules, start, goal, pressed: 0..0 };
+    course.regain(course.close(without_short(path))?)
+}
+
+#[cfg(test)]
+mod tests;
