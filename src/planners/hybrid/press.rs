@@ -14,6 +14,8 @@ use super::shortcut::Rules;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 
+/// So many arcs change on either side of a move.
+const NEAR: usize = 10;
 /// Rounds for one move, at most.
 const MAX_ROUNDS: u32 = 40;
 /// A move with no more than this left is gone, metres.
@@ -51,14 +53,25 @@ impl Search<'_> {
 }
 
 /// A path from `start` to the same end without one of the moves, told by its number, that keeps the margin of the
-/// rules; nothing where the others cannot give way.
+/// rules; nothing where the others cannot give way. Only arcs near that move change.
 pub(super) fn press(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<Arc>> {
-    let goal = arcs::end(start, arcs);
-    let arcs = yielding(arcs::merge(arcs.to_vec()), rules.costs.radius);
+    let arcs = arcs::merge(arcs.to_vec());
     let pressed = move_of(&arcs, number);
     if pressed.is_empty() {
         return None;
     }
+    let near = pressed.start.saturating_sub(NEAR)..(pressed.end + NEAR).min(arcs.len());
+    let (before, after) = (&arcs[..near.start], &arcs[near.end..]);
+    let moves_before = arcs::direction_changes(&arcs[..=near.start]) as usize;
+    let pressed = press_among(rules, arcs::end(start, before), &arcs[near.clone()], number - moves_before)?;
+    Some(arcs::merge([before, &pressed, after].concat()))
+}
+
+/// The same for arcs all of which may change.
+fn press_among(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<Arc>> {
+    let goal = arcs::end(start, arcs);
+    let arcs = yielding(arcs.to_vec(), rules.costs.radius);
+    let pressed = move_of(&arcs, number);
     let least = Rules { margin: rules.margin.min(MIN_MARGIN), ..rules };
     let course = Course { rules: least, start, goal, pressed: pressed.clone() };
     let left = |path: &[Arc]| arcs::length(&path[pressed.clone()]);
