@@ -36,8 +36,8 @@ pub(crate) fn print(run: &Run) {
             }
         }
         if run.is_verbose {
-            let each = answers.iter().map(|a| format!("{}/{:.0}", a.changes, a.margin * 100.0));
-            println!("seed {seed}, changes/cm: {}", each.collect::<Vec<_>>().join(" "));
+            let each = |a: &Answer| format!("{}/{:.0}/{}", a.changes, a.margin * 100.0, a.checks);
+            println!("seed {seed}, changes/cm/checks: {}", answers.iter().map(each).collect::<Vec<_>>().join(" "));
         }
     }
     println!(

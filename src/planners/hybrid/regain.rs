@@ -21,9 +21,10 @@
 //! Those that are still short in the end are left out again.
 
 mod near;
-mod system;
 
 use core::ops::Range;
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::lattices::{Effort, Level};
 use super::level::MARGIN_TOLERANCE;
@@ -33,7 +34,6 @@ use super::shortcut::Rules;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
 use near::Near;
-use system::System;
 
 /// Rounds, at most.
 const MAX_ROUNDS: u32 = 24;
@@ -207,21 +207,14 @@ impl Course<'_> {
             }
             let columns = self.columns(&arcs, &stands);
             let weight = |arc: &Arc| arc.length.abs().min(1.0);
-            let mut system = System::new(3);
+            let mut normal = Matrix3::zeros();
             for (arc, column) in arcs.iter().zip(&columns) {
-                for (row, part) in column.iter().enumerate() {
-                    for (at, other) in column.iter().enumerate() {
-                        *system.at(row, at) += weight(arc) * part * other;
-                    }
-                }
+                let column = Vector3::from(*column);
+                normal += weight(arc) * column * column.transpose();
             }
-            for (row, miss) in miss.into_iter().enumerate() {
-                *system.at(row, 3) = miss;
-            }
-            let parts = system.solve()?;
+            let parts = normal.lu().solve(&Vector3::from(miss))?;
             for (arc, column) in arcs.iter_mut().zip(&columns) {
-                let by = column.iter().zip(&parts).fold(0.0, |sum, (column, part)| sum + column * part);
-                *arc = lengthened(arc, weight(arc) * by);
+                *arc = lengthened(arc, weight(arc) * parts.dot(&Vector3::from(*column)));
             }
         }
         None
@@ -262,47 +255,39 @@ impl Course<'_> {
     /// By how much each arc should change for the contacts that are too near.
     fn changes(&self, arcs: &[Arc], stands: &[Pose], near: &[Near]) -> Option<Vec<f64>> {
         let count = arcs.len();
-        let columns = self.columns(arcs, stands);
-        let miss = self.miss(stands[count]);
         let wanted = self.wanted();
-        let mut is_too_near: Vec<bool> = near.iter().map(|near| near.distance < wanted).collect();
+        let mut matrix = DMatrix::zeros(count + 3, count + 3);
+        let mut right = DVector::zeros(count + 3);
+        for (n, column) in self.columns(arcs, stands).into_iter().enumerate() {
+            matrix[(n, n)] = DAMPING;
+            for (part, value) in column.into_iter().enumerate() {
+                (matrix[(n, count + part)], matrix[(count + part, n)]) = (value, value);
+            }
+        }
+        for (part, miss) in self.miss(stands[count]).into_iter().enumerate() {
+            right[count + part] = miss;
+        }
+        let to_short = |n: usize| SHORT.copysign(arcs[n].length) - arcs[n].length;
+        for n in self.pressed.clone() {
+            matrix[(n, n)] += PRESSURE;
+            right[n] = PRESSURE * to_short(n);
+        }
+        let mut is_too_near = vec![false; near.len()];
         // Arcs that cannot become any shorter.
         let mut is_short = vec![false; count];
-        let mut changes = Vec::new();
-        for _ in 0..MAX_SOLUTIONS {
-            let mut system = System::new(count + 3);
-            for (Near { slopes, distance }, _) in near.iter().zip(&is_too_near).filter(|(_, near)| **near) {
-                for (row, slope) in slopes.iter().enumerate().filter(|(_, slope)| **slope != 0.0) {
-                    for (at, other) in slopes.iter().enumerate() {
-                        *system.at(row, at) += slope * other;
-                    }
-                    *system.at(row, count + 3) += slope * (wanted - distance);
-                }
-            }
-            for n in self.pressed.clone() {
-                *system.at(n, n) += PRESSURE;
-                *system.at(n, count + 3) += PRESSURE * (SHORT.copysign(arcs[n].length) - arcs[n].length);
-            }
-            for (n, column) in columns.iter().enumerate() {
-                *system.at(n, n) += DAMPING;
-                for (part, &value) in column.iter().enumerate() {
-                    *system.at(n, count + part) = value;
-                    *system.at(count + part, n) = value;
-                }
-            }
-            for (part, &miss) in miss.iter().enumerate() {
-                *system.at(count + part, count + 3) = miss;
-            }
-            for n in (0..count).filter(|&n| is_short[n]) {
-                system.fix(n, SHORT.copysign(arcs[n].length) - arcs[n].length);
-            }
-            changes = system.solve()?;
-            changes.truncate(count);
-            let mut is_settled = true;
+        let mut changes = DVector::zeros(count + 3);
+        for solutions in 0..MAX_SOLUTIONS {
+            let mut is_settled = solutions > 0;
             for (Near { slopes, distance }, is_near) in near.iter().zip(&mut is_too_near) {
-                let then = slopes.iter().zip(&changes).fold(*distance, |sum, (slope, by)| sum + slope * by);
-                is_settled &= *is_near == (then < wanted);
-                *is_near = then < wanted;
+                let lack = wanted - distance;
+                let is_now = slopes.dot(&changes.rows(0, slopes.len())) < lack;
+                if *is_near != is_now {
+                    (*is_near, is_settled) = (is_now, false);
+                    let sign = if is_now { 1.0 } else { -1.0 };
+                    let mut part = matrix.view_mut((0, 0), (slopes.len(), slopes.len()));
+                    part.ger(sign, slopes, slopes, 1.0);
+                    right.rows_mut(0, slopes.len()).axpy(sign * lack, slopes, 1.0);
+                }
             }
             for (n, arc) in arcs.iter().enumerate() {
                 let left = (arc.length + changes[n]) * 1.0_f64.copysign(arc.length);
@@ -313,8 +298,15 @@ impl Course<'_> {
             if is_settled {
                 break;
             }
+            let (mut matrix, mut right) = (matrix.clone(), right.clone());
+            for n in (0..count).filter(|&n| is_short[n]) {
+                matrix.row_mut(n).fill(0.0);
+                matrix[(n, n)] = 1.0;
+                right[n] = to_short(n);
+            }
+            changes = matrix.lu().solve(&right)?;
         }
-        Some(changes)
+        Some(changes.as_slice()[..count].to_vec())
     }
 }
 

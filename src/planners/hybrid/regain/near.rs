@@ -1,5 +1,7 @@
 //! Where the body comes near obstacles along a path, and how each arc's length changes the distance there.
 
+use nalgebra::DVector;
+
 use super::{Column, Course, FAR, column};
 use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
@@ -17,9 +19,9 @@ const SPACING: f64 = 0.05;
 /// Where the body is nearest is told to this, metres along the path.
 const PRECISION: f64 = 0.001;
 
-/// One contact: how its distance changes for each metre that each arc grows, and the distance.
+/// One contact: how its distance changes for each metre that each arc up to it grows, and the distance.
 pub(super) struct Near {
-    pub(super) slopes: Vec<f64>,
+    pub(super) slopes: DVector<f64>,
     pub(super) distance: f64,
 }
 
@@ -64,11 +66,13 @@ impl Course<'_> {
                 let arm = point - at.point();
                 let turning = arm.x * away.y - arm.y * away.x;
                 let slope = |[x, y, heading]: Column| away.x * x + away.y * y + turning * heading;
-                let mut slopes = vec![0.0; arcs.len()];
-                for n in 0..number {
-                    slopes[n] = slope(column(at, stands[n + 1], arcs[n].curvature));
-                }
-                slopes[number] = along / whole * slope(column(at, at, arc.curvature));
+                let slopes = DVector::from_fn(number + 1, |n, _| {
+                    if n < number {
+                        slope(column(at, stands[n + 1], arcs[n].curvature))
+                    } else {
+                        along / whole * slope(column(at, at, arc.curvature))
+                    }
+                });
                 near.push(Near { slopes, distance });
             }
         }
