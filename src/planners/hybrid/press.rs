@@ -8,7 +8,7 @@
 use super::descent::move_of;
 use super::lattices::{Effort, Level};
 use super::question::{MIN_MARGIN, Search};
-use super::regain::{Course, LONGEST_STEP, Round, without_short, yielding};
+use super::regain::{Course, LONGEST_STEP, Pace, Round, without_short, yielding};
 use super::report::Report;
 use super::shortcut::Rules;
 use crate::geometry::Pose;
@@ -16,8 +16,10 @@ use crate::geometry::arcs::{self, Arc};
 
 /// So many arcs change on either side of a move.
 const NEAR: usize = 10;
-/// Rounds for one move, at most.
-const MAX_ROUNDS: u32 = 40;
+/// A longer move is not tried: hardly any of these goes, metres.
+const LONGEST: f64 = 1.5;
+/// Rounds for one move.
+const PACE: Pace = Pace { grace: 8, most: 24 };
 /// A move with no more than this left is gone, metres.
 const GONE: f64 = 0.005;
 /// What is missing of the margin counts so many times as much as what is left of the move.
@@ -57,7 +59,7 @@ impl Search<'_> {
 pub(super) fn press(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<Arc>> {
     let arcs = arcs::merge(arcs.to_vec());
     let pressed = move_of(&arcs, number);
-    if pressed.is_empty() {
+    if pressed.is_empty() || arcs::length(&arcs[pressed.clone()]) > LONGEST {
         return None;
     }
     let near = pressed.start.saturating_sub(NEAR)..(pressed.end + NEAR).min(arcs.len());
@@ -82,10 +84,11 @@ fn press_among(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option
     let mut path = course.close(arcs)?;
     let mut round = course.round(&path)?;
     let mut step = LONGEST_STEP;
+    let whole = worth(&path, &round);
     let mut rounds = 0;
     while left(&path) > GONE {
         rounds += 1;
-        if rounds > MAX_ROUNDS {
+        if worth(&path, &round) > PACE.share(rounds) * whole {
             return None;
         }
         course.advance((&mut path, &mut round), &mut step, is_better)?;

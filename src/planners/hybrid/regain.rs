@@ -35,8 +35,8 @@ use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
 use near::Near;
 
-/// Rounds, at most.
-const MAX_ROUNDS: u32 = 24;
+/// Rounds for a margin.
+const PACE: Pace = Pace { grace: 4, most: 18 };
 /// Solutions in one round, at most.
 const MAX_SOLUTIONS: u32 = 16;
 /// No arc changes more in one round, metres.
@@ -126,6 +126,20 @@ fn lengthened(arc: &Arc, by: f64) -> Arc {
     Arc { length: sign * f64::max(sign * (arc.length + by), SHORT), ..*arc }
 }
 
+/// How fast something must fall: after `grace` rounds evenly, to nothing after `most`. What falls more slowly hardly
+/// ever gets there.
+pub(super) struct Pace {
+    pub(super) grace: u32,
+    pub(super) most: u32,
+}
+
+impl Pace {
+    /// The share that may be left after so many rounds.
+    pub(super) fn share(&self, rounds: u32) -> f64 {
+        f64::from(self.most.saturating_sub(rounds)) / f64::from(self.most - self.grace)
+    }
+}
+
 /// What a path's contacts tell.
 pub(super) struct Round {
     /// The least distance along the path, metres.
@@ -157,9 +171,13 @@ impl Course<'_> {
         let mut path = self.close(arcs)?;
         let mut round = self.round(&path)?;
         let mut step = LONGEST_STEP;
-        for _ in 0..MAX_ROUNDS {
+        let whole = round.missing.sqrt();
+        for rounds in 0..PACE.most {
             if self.is_wide(&round) {
                 return Some(path);
+            }
+            if round.missing.sqrt() > PACE.share(rounds) * whole {
+                break;
             }
             let is_better = |_: &[Arc], one: &Round, _: &[Arc], before: &Round| {
                 one.missing < before.missing || self.is_wide(one)
