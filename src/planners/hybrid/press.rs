@@ -28,30 +28,34 @@ const MARGIN_WORTH: f64 = 500.0;
 const MIN_GAIN: f64 = 5e-4;
 
 impl Search<'_> {
-    /// Presses moves out of a path, with the checks of a level, so that it keeps a margin in the end; tells whether one
-    /// is gone. The path then costs less and has no more than so many gear changes.
+    /// The path of a report without one of its moves, with the checks of a level and so that it keeps a margin; nothing
+    /// where none goes.
     #[inline(never)]
-    pub(super) fn press(&self, level: Level, margin: f64, most: u32, report: &mut Report) -> bool {
+    pub(super) fn press(&self, level: Level, margin: f64, path: &Report) -> Option<Report> {
         if !self.config.shortcut {
-            return false;
+            return None;
         }
-        let (this, costs) = (self.arrived(&report.arcs), self.costs());
+        let (this, costs) = (self.arrived(&path.arcs), self.costs());
         let rules = Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        for number in 0..=arcs::direction_changes(&report.arcs) as usize {
-            let Some(wide) = press(rules, self.start, &report.arcs, number) else { continue };
+        numbers(&path.arcs).into_iter().find_map(|number| {
+            let wide = press(rules, self.start, &path.arcs, number)?;
             if !this.verified(&wide, margin) {
-                continue;
+                return None;
             }
-            let cheaper = this.straightened(&wide, Level { effort: Effort::Squeeze, ..level }, margin);
+            let cheaper = this.straightened(&wide, Level { effort: Effort::Descent, ..level }, margin);
             let arcs = if this.verified(&cheaper, margin) { cheaper } else { wide };
             let cost = costs.path(self.checker, self.start, &arcs);
-            if cost < report.cost && arcs::direction_changes(&arcs) <= most {
-                (report.arcs, report.cost, report.margin) = (arcs, cost, margin);
-                return true;
-            }
-        }
-        false
+            Some(Report { arcs, cost, margin, ..path.clone() })
+        })
     }
+}
+
+/// The numbers of the moves that may be pressed out, the shortest first.
+fn numbers(arcs: &[Arc]) -> Vec<usize> {
+    let moves = arcs.chunk_by(|one, next| one.length * next.length > 0.0).map(arcs::length);
+    let mut moves: Vec<_> = moves.enumerate().filter(|(_, length)| *length <= LONGEST).collect();
+    moves.sort_by(|(_, one), (_, next)| one.total_cmp(next));
+    moves.into_iter().map(|(number, _)| number).collect()
 }
 
 /// A path from `start` to the same end without one of the moves, told by its number, that keeps the margin of the
@@ -59,7 +63,7 @@ impl Search<'_> {
 pub(super) fn press(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<Arc>> {
     let arcs = arcs::merge(arcs.to_vec());
     let pressed = move_of(&arcs, number);
-    if pressed.is_empty() || arcs::length(&arcs[pressed.clone()]) > LONGEST {
+    if pressed.is_empty() {
         return None;
     }
     let near = pressed.start.saturating_sub(NEAR)..(pressed.end + NEAR).min(arcs.len());

@@ -71,7 +71,7 @@ impl Search<'_> {
         if !this.verified(&wide, margin) {
             return false;
         }
-        let cheaper = this.straightened(&wide, Level { effort: Effort::Squeeze, ..level }, margin);
+        let cheaper = this.straightened(&wide, Level { effort: Effort::Descent, ..level }, margin);
         let arcs = if this.verified(&cheaper, margin) { cheaper } else { wide };
         let cost = costs.path(self.checker, self.start, &arcs);
         (report.arcs, report.cost, report.margin) = (arcs, cost, margin);

@@ -46,25 +46,19 @@ const COARSE: f64 = 0.06;
 /// A path may cost so many times what is left of it after the shortcut.
 const BEFORE_SHORTCUT: f64 = 1.6;
 
-/// Squeezes moves out of the path in `work`, where it changes gear often, and out of `next_best`, another one that was
-/// found.
-pub(super) fn squeeze(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
+/// Presses moves out of the path in `work`, where it changes gear often, with its margin and then with no more than is
+/// comfortable, and out of `next_best`, another one that was found.
+pub(super) fn press(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
     let Some((_, less)) = margins(&search, floods, work.report) else { return };
     let less = floods.margin(less);
-    let squeeze = |path: &Report, margin: f64, report: &mut Report| {
-        if changes(report) > FEW_CHANGES {
-            let saved = if margin < report.margin { changes_to_save(report) } else { 1 };
-            search.squeeze(search.config.level(1), (path, margin), saved, report);
-        }
-    };
     let known = work.report.clone();
-    squeeze(&known, known.margin, work.report);
+    press_out(&search, &known, known.margin, work);
     if let Some(next_best) = next_best {
-        squeeze(next_best, less, work.report);
+        press_out(&search, next_best, less, work);
     }
     if work.report.margin > less {
         let known = work.report.clone();
-        squeeze(&known, less, work.report);
+        press_out(&search, &known, less, work);
     }
 }
 
@@ -73,7 +67,7 @@ pub(super) fn squeeze(search: Search, floods: &Floods, next_best: Option<&Report
 pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
     let config = search.config;
     let Some((kept, less)) = margins(&search, floods, work.report) else { return };
-    squeeze(search, floods, next_best, work);
+    press(search, floods, next_best, work);
     let plain = |level, number, few| Look { level, number, most: FINE_EXPANSIONS, few, is_lent: false };
     let coarsest = Look { most: COARSE_EXPANSIONS, ..plain(config.level(0), 0, FEW_CHANGES) };
     if less > kept {
@@ -92,24 +86,29 @@ pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Rep
         lent(beside(1, FEW_CHANGES)),
         lent(up_to_contact),
     ];
-    press(&search, floods.margin(less), work);
     for look in looks {
         let before = changes(work.report);
         if before > look.few {
             attempt((search, floods), look, less, changes_to_save(work.report), work);
         }
         if changes(work.report) < before {
-            press(&search, floods.margin(less), work);
+            let known = work.report.clone();
+            press_out(&search, &known, floods.margin(less), work);
         }
     }
 }
 
-/// Presses moves out of the path in `work` as long as one goes, with no more than a margin.
-fn press(search: &Search, margin: f64, work: &mut Work) {
-    while changes(work.report) > FEW_CHANGES {
-        let most = changes(work.report).saturating_sub(changes_to_save(work.report));
-        if !search.press(search.config.level(1), margin, most, work.report) {
-            break;
+/// Presses moves out of a path, one after another as long as one goes, with a margin. What comes of that takes the place
+/// of the path in `work` if it costs less and saves enough gear changes.
+fn press_out(search: &Search, path: &Report, margin: f64, work: &mut Work) {
+    let mut path = path.clone();
+    while changes(&path) > FEW_CHANGES
+        && let Some(better) = search.press(search.config.level(1), margin, &path)
+    {
+        path = better;
+        let saved = if margin < work.report.margin { changes_to_save(work.report) } else { 1 };
+        if is_within((changes(work.report).saturating_sub(saved), work.report.cost), &path) {
+            *work.report = work.report.with_path_of(path.clone());
         }
     }
 }
@@ -169,7 +168,7 @@ fn attempt(
     let is_worth_more = number > 0 && is_comfortable && before > VERY_MANY_CHANGES;
     let most = if is_worth_more { EXPANSIONS_PER_CHANGE * before } else { most };
     let effort = match before {
-        _ if !is_lent => Effort::Squeeze,
+        _ if !is_lent => Effort::Descent,
         ..=VERY_MANY_CHANGES => Effort::Shortcut,
         _ => Effort::Descent,
     };
