@@ -37,7 +37,10 @@ pub(crate) fn print(run: &Run) {
         }
         if run.is_verbose {
             let each = |a: &Answer| format!("{}/{:.0}/{}", a.changes, a.margin * 100.0, a.checks);
-            println!("seed {seed}, changes/cm/checks: {}", answers.iter().map(each).collect::<Vec<_>>().join(" "));
+            println!(
+                "seed {seed}, changes/cm/checks: {}",
+                answers.iter().map(each).collect::<Vec<_>>().join(" ")
+            );
         }
     }
     println!(

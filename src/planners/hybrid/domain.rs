@@ -232,12 +232,8 @@ impl<'a> StateLattice<'a> {
             if motion.then(primitive).changes > self.level.most_changes {
                 continue;
             }
-            // While shuffling, an arc ends where something is in the way, or half as far, and its other end goes on. Back
-            // along it is where the car came from.
-            let is_same = IS_COMPLETE && self.level.shuffles() && primitive.curvature == motion.curvature;
-            if is_same
-                && (primitive.length * driven < 0.0 || (is_farthest && primitive.length * driven > 0.0))
-            {
+            // While shuffling, an arc ends where something is in the way, or half as far, and its other end goes on.
+            if is_farthest && primitive.curvature == motion.curvature && primitive.length * driven > 0.0 {
                 continue;
             }
             for length in self.lengths(pose, primitive).into_iter().filter(|&length| length != 0.0) {

@@ -346,27 +346,18 @@ impl Search<'_> {
         Some((arcs, status))
     }
 
-    /// Squeezes moves out of a path, with the checks of a level and a margin. What comes of that takes the place of the
-    /// known path if it costs less and saves so many gear changes.
+    /// The path of a report without the moves that can be squeezed out of it, with the checks of a level and a margin;
+    /// nothing where none can.
     #[inline(never)]
-    pub(super) fn squeeze(
-        &self,
-        level: Level,
-        (path, margin): (&Report, f64),
-        saved: u32,
-        report: &mut Report,
-    ) {
+    pub(super) fn squeeze(&self, level: Level, margin: f64, path: &Report) -> Option<Report> {
         if !self.config.shortcut {
-            return;
+            return None;
         }
         let (this, costs) = (self.arrived(&path.arcs), self.costs());
         let rules = Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
         let arcs = improvement::squeezed(rules, self.start, path.arcs.clone());
         let cost = costs.path(self.checker, self.start, &arcs);
-        let is_fewer = arcs::direction_changes(&arcs) + saved <= arcs::direction_changes(&report.arcs);
-        if is_fewer && cost < report.cost && this.verified(&arcs, margin) {
-            *report = Report { arcs, cost, margin, ..report.with_path_of(path.clone()) };
-        }
+        this.verified(&arcs, margin).then(|| Report { arcs, cost, margin, ..path.clone() })
     }
 
     /// The path after the shortcut, where the settings ask for one.

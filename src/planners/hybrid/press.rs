@@ -7,6 +7,7 @@
 
 use super::descent::move_of;
 use super::lattices::{Effort, Level};
+use super::profile::FEW_CHANGES;
 use super::question::{MIN_MARGIN, Search};
 use super::regain::{Course, LONGEST_STEP, Pace, Round, without_short, yielding};
 use super::report::Report;
@@ -14,10 +15,12 @@ use super::shortcut::Rules;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
 
+/// Of a path with n gear changes so many times 1/n moves are tried, as each costs more where there are more.
+const MAX_WORK: usize = 100;
 /// So many arcs change on either side of a move.
 const NEAR: usize = 10;
 /// A longer move is not tried: hardly any of these goes, metres.
-const LONGEST: f64 = 1.5;
+const LONGEST: f64 = 4.0;
 /// Rounds for one move.
 const PACE: Pace = Pace { grace: 8, most: 24 };
 /// A move with no more than this left is gone, metres.
@@ -28,8 +31,8 @@ const MARGIN_WORTH: f64 = 500.0;
 const MIN_GAIN: f64 = 5e-4;
 
 impl Search<'_> {
-    /// The path of a report without one of its moves, with the checks of a level and so that it keeps a margin; nothing
-    /// where none goes.
+    /// The path of a report without the moves that can be pressed out of it, one after another, with the checks of a
+    /// level and a margin; nothing where none can.
     #[inline(never)]
     pub(super) fn press(&self, level: Level, margin: f64, path: &Report) -> Option<Report> {
         if !self.config.shortcut {
@@ -37,16 +40,22 @@ impl Search<'_> {
         }
         let (this, costs) = (self.arrived(&path.arcs), self.costs());
         let rules = Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        numbers(&path.arcs).into_iter().find_map(|number| {
-            let wide = press(rules, self.start, &path.arcs, number)?;
-            if !this.verified(&wide, margin) {
-                return None;
-            }
-            let cheaper = this.straightened(&wide, Level { effort: Effort::Descent, ..level }, margin);
-            let arcs = if this.verified(&cheaper, margin) { cheaper } else { wide };
-            let cost = costs.path(self.checker, self.start, &arcs);
-            Some(Report { arcs, cost, margin, ..path.clone() })
-        })
+        let pressed = |arcs: &[Arc]| {
+            let most = MAX_WORK / arcs::direction_changes(arcs).max(1) as usize;
+            let press =
+                |number| press(rules, self.start, arcs, number).filter(|arcs| this.verified(arcs, margin));
+            numbers(arcs).into_iter().take(most).find_map(press)
+        };
+        let mut arcs = pressed(&path.arcs)?;
+        while arcs::direction_changes(&arcs) > FEW_CHANGES
+            && let Some(better) = pressed(&arcs)
+        {
+            arcs = better;
+        }
+        let cheaper = this.straightened(&arcs, Level { effort: Effort::Descent, ..level }, margin);
+        let arcs = if this.verified(&cheaper, margin) { cheaper } else { arcs };
+        let cost = costs.path(self.checker, self.start, &arcs);
+        Some(Report { arcs, cost, margin, ..path.clone() })
     }
 }
 

@@ -33,7 +33,7 @@ use super::report::Report;
 use super::shortcut::Rules;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
-use near::Near;
+use near::{Column, FAR, Near, Way, column};
 
 /// Rounds for a margin.
 const PACE: Pace = Pace { grace: 4, most: 18 };
@@ -55,8 +55,6 @@ const PRESSURE: f64 = 0.02;
 const RESERVE: f64 = 0.0005;
 /// … and less than it that is enough.
 const LACK: f64 = 0.8 * MARGIN_TOLERANCE;
-/// Distances are measured up to this, metres.
-const FAR: f64 = 0.3;
 const MAX_NEWTON_STEPS: u32 = 8;
 /// A path is closed if its end misses by less, metres and radians.
 const CLOSED: f64 = 1e-9;
@@ -100,15 +98,6 @@ pub(super) fn yielding(arcs: Vec<Arc>, radius: f64) -> Vec<Arc> {
     };
     let moves = arcs.chunk_by(|one, next| one.length * next.length > 0.0);
     moves.flat_map(|arcs| [&beside(&arcs[0]), arcs, &beside(&arcs[arcs.len() - 1])].concat()).collect()
-}
-
-/// How a pose moves for each metre that an arc grows: x, y, heading.
-type Column = [f64; 3];
-
-/// How `pose` moves as an arc before it grows that ends at `at`.
-fn column(pose: Pose, at: Pose, curvature: f64) -> Column {
-    let (sin, cos) = math::sin_cos(at.heading);
-    [cos - curvature * (pose.y - at.y), sin + curvature * (pose.x - at.x), curvature]
 }
 
 /// The poses before each arc and at the end.
@@ -256,8 +245,9 @@ impl Course<'_> {
         let (mut least, mut missing) = (FAR, 0.0);
         let mut near = Vec::new();
         let mut found = Vec::new();
+        let way = Way { checker: self.rules.checker, margin: self.rules.margin, arcs, stands: &stands };
         for number in 0..arcs.len() {
-            let nearest = self.near_arc((arcs, &stands), number, (&mut near, &mut found))?;
+            let nearest = way.contacts(number, (&mut near, &mut found))?;
             let lack = (self.wanted() - nearest).max(0.0);
             (least, missing) = (f64::min(least, nearest), missing + lack * lack);
         }

@@ -43,7 +43,7 @@ pub(super) fn plan(search: Search, floods: &Floods, widest: usize, work: &mut Wo
     let first = search.first(&other, search.config.level(0), work);
     if first == First::Found || levels == 1 {
         if IS_COMPLETE && arcs::direction_changes(&work.report.arcs) >= MANY_CHANGES {
-            second_look::press(search, floods, None, work);
+            second_look::save_moves(search, floods, None, work);
         }
         return;
     }

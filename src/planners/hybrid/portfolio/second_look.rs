@@ -46,19 +46,40 @@ const COARSE: f64 = 0.06;
 /// A path may cost so many times what is left of it after the shortcut.
 const BEFORE_SHORTCUT: f64 = 1.6;
 
-/// Presses moves out of the path in `work`, where it changes gear often, with its margin and then with no more than is
-/// comfortable, and out of `next_best`, another one that was found.
-pub(super) fn press(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
+/// Squeezes moves out of the path in `work`, where it changes gear often, and out of `next_best`, another one that was
+/// found; then presses others out of both.
+pub(super) fn save_moves(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
     let Some((_, less)) = margins(&search, floods, work.report) else { return };
     let less = floods.margin(less);
-    let known = work.report.clone();
-    press_out(&search, &known, known.margin, work);
-    if let Some(next_best) = next_best {
-        press_out(&search, next_best, less, work);
-    }
-    if work.report.margin > less {
+    for save in [Search::squeeze, Search::press] {
         let known = work.report.clone();
-        press_out(&search, &known, less, work);
+        save_in(&search, save, (&known, known.margin), work);
+        if let Some(next_best) = next_best {
+            save_in(&search, save, (next_best, less), work);
+        }
+        if work.report.margin > less {
+            let known = work.report.clone();
+            save_in(&search, save, (&known, less), work);
+        }
+    }
+}
+
+/// A way of saving moves.
+type Save<'a> = fn(&Search<'a>, Level, f64, &Report) -> Option<Report>;
+
+/// Saves moves in a path with a margin. What comes of that takes the place of the path in `work` if it costs less and
+/// saves enough gear changes.
+fn save_in<'a>(search: &Search<'a>, save: Save<'a>, (path, margin): (&Report, f64), work: &mut Work) {
+    let known = &work.report;
+    if changes(known) <= FEW_CHANGES {
+        return;
+    }
+    let saved = if margin < known.margin { changes_to_save(known) } else { 1 };
+    let limits = (changes(known).saturating_sub(saved), known.cost);
+    if let Some(better) =
+        save(search, search.config.level(1), margin, path).filter(|path| is_within(limits, path))
+    {
+        *work.report = work.report.with_path_of(better);
     }
 }
 
@@ -67,7 +88,7 @@ pub(super) fn press(search: Search, floods: &Floods, next_best: Option<&Report>,
 pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Report>, work: &mut Work) {
     let config = search.config;
     let Some((kept, less)) = margins(&search, floods, work.report) else { return };
-    press(search, floods, next_best, work);
+    save_moves(search, floods, next_best, work);
     let plain = |level, number, few| Look { level, number, most: FINE_EXPANSIONS, few, is_lent: false };
     let coarsest = Look { most: COARSE_EXPANSIONS, ..plain(config.level(0), 0, FEW_CHANGES) };
     if less > kept {
@@ -93,22 +114,7 @@ pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Rep
         }
         if changes(work.report) < before {
             let known = work.report.clone();
-            press_out(&search, &known, floods.margin(less), work);
-        }
-    }
-}
-
-/// Presses moves out of a path, one after another as long as one goes, with a margin. What comes of that takes the place
-/// of the path in `work` if it costs less and saves enough gear changes.
-fn press_out(search: &Search, path: &Report, margin: f64, work: &mut Work) {
-    let mut path = path.clone();
-    while changes(&path) > FEW_CHANGES
-        && let Some(better) = search.press(search.config.level(1), margin, &path)
-    {
-        path = better;
-        let saved = if margin < work.report.margin { changes_to_save(work.report) } else { 1 };
-        if is_within((changes(work.report).saturating_sub(saved), work.report.cost), &path) {
-            *work.report = work.report.with_path_of(path.clone());
+            save_in(&search, Search::press, (&known, floods.margin(less)), work);
         }
     }
 }

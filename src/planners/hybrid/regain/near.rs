@@ -2,18 +2,18 @@
 
 use nalgebra::DVector;
 
-use super::{Column, Course, FAR, column};
-use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
-use crate::planners::hybrid::shortcut::Rules;
-use crate::vehicle::collision::Contact;
+use crate::geometry::{Pose, math};
+use crate::vehicle::collision::{CollisionChecker, Contact};
 
+/// Distances are measured up to this, metres.
+pub(super) const FAR: f64 = 0.3;
 /// Contacts farther off than the margin and this are left out, metres.
 const LOOK: f64 = 0.02;
 /// No point of the body moves farther for each metre of an arc, if it is a car's.
 const SPEED: f64 = 1.5;
 /// The spacing of the places where the body is near something, metres; …
-const FINE: f64 = 0.01;
+const FINE: f64 = 0.02;
 /// … contacts are told every so many metres and where the body is nearest.
 const SPACING: f64 = 0.05;
 /// Where the body is nearest is told to this, metres along the path.
@@ -25,15 +25,32 @@ pub(super) struct Near {
     pub(super) distance: f64,
 }
 
-impl Course<'_> {
+/// How a pose moves for each metre that an arc grows: x, y, heading.
+pub(super) type Column = [f64; 3];
+
+/// How `pose` moves as an arc before it grows that ends at `at`.
+pub(super) fn column(pose: Pose, at: Pose, curvature: f64) -> Column {
+    let (sin, cos) = math::sin_cos(at.heading);
+    [cos - curvature * (pose.y - at.y), sin + curvature * (pose.x - at.x), curvature]
+}
+
+/// A path and what it should keep away from.
+pub(super) struct Way<'a> {
+    pub(super) checker: &'a CollisionChecker<'a>,
+    pub(super) margin: f64,
+    pub(super) arcs: &'a [Arc],
+    /// The poses before each arc and at the end.
+    pub(super) stands: &'a [Pose],
+}
+
+impl Way<'_> {
     /// Adds the contacts along an arc; returns the least distance. Nothing where the body overlaps something.
-    pub(super) fn near_arc(
+    pub(super) fn contacts(
         &self,
-        (arcs, stands): (&[Arc], &[Pose]),
         number: usize,
         (near, found): (&mut Vec<Near>, &mut Vec<Contact>),
     ) -> Option<f64> {
-        let Rules { checker, margin, .. } = self.rules;
+        let Self { checker, margin, arcs, stands } = *self;
         let arc = &arcs[number];
         let whole = arc.length.abs();
         let pose = |along: f64| stands[number].advance(arc.curvature, along.copysign(arc.length));
@@ -80,16 +97,19 @@ impl Course<'_> {
     }
 }
 
-/// The place between two others where something is nearest, and how near, from a first one: by thirds.
+/// The place between two others where something is nearest, and how near, from a first one: by golden sections.
 fn nearest((mut low, mut high): (f64, f64), first: (f64, f64), distance: impl Fn(f64) -> f64) -> (f64, f64) {
-    let mut best = first;
+    let section = (5.0_f64.sqrt() - 1.0) / 2.0;
+    let at = |along: f64| (along, distance(along));
+    let (mut near, mut far) = (at(high - section * (high - low)), at(low + section * (high - low)));
     while high - low > PRECISION {
-        let third = (high - low) / 3.0;
-        let [near, far] = [low + third, high - third].map(|along| (along, distance(along)));
-        for one in [near, far] {
-            best = if one.1 < best.1 { one } else { best };
+        if near.1 < far.1 {
+            (high, far) = (far.0, near);
+            near = at(high - section * (high - low));
+        } else {
+            (low, near) = (near.0, far);
+            far = at(low + section * (high - low));
         }
-        (low, high) = if near.1 < far.1 { (low, far.0) } else { (near.0, high) };
     }
-    best
+    [near, far].into_iter().fold(first, |best, one| if one.1 < best.1 { one } else { best })
 }
