@@ -1,15 +1,14 @@
 //! A path made cheaper without another search: curves between its knots, other lengths of its arcs, longer moves.
 //!
 //! The shortcut replaces stretches of what a lattice led through; the descent moves what lies between; longer moves
-//! leave some out. Each opens ways for the others, so they follow in rounds until one gains little. Where asked for,
-//! moves are squeezed out after that: most are tried in vain, so what is no answer yet does without. A path with fewer
+//! leave some out. Each opens ways for the others, so they follow in rounds until one gains little. A path with fewer
 //! than two gear changes is left to the shortcut: there is little to move, and so both modules plan every built-in
 //! scene alike.
 
 use super::lattices::Effort;
 use super::profile::FEW_CHANGES;
 use super::shortcut::{self, KNOT_SPACINGS, Rules};
-use super::{descent, longer_moves, squeeze};
+use super::{descent, longer_moves};
 use crate::IS_COMPLETE;
 use crate::geometry::Pose;
 use crate::geometry::arcs::{self, Arc};
@@ -18,8 +17,6 @@ use crate::geometry::arcs::{self, Arc};
 const SETTLED: f64 = 0.99;
 /// … and any after so many rounds.
 const MAX_ROUNDS: u32 = 4;
-/// Moves of a path that are squeezed, at most.
-const MAX_SQUEEZED: u32 = 60;
 
 /// A path of arcs from `start`, made cheaper. Gear changes never increase.
 ///
@@ -40,17 +37,6 @@ pub(super) fn improved(rules: Rules, start: Pose, path: Vec<Arc>, effort: Effort
         }
         path = shortcut::shortcut(rules, start, path, &KNOT_SPACINGS[..1]);
         before = after;
-    }
-    if effort == Effort::Squeeze { squeezed(rules, start, path) } else { path }
-}
-
-/// A path without the moves that can be squeezed out of it, so that it costs less.
-pub(super) fn squeezed(rules: Rules, start: Pose, mut path: Vec<Arc>) -> Vec<Arc> {
-    let mut most = MAX_SQUEEZED;
-    while arcs::direction_changes(&path) > FEW_CHANGES
-        && let Some(better) = squeeze::squeeze(rules, start, &path, &mut most)
-    {
-        path = shortcut::shortcut(rules, start, better, &KNOT_SPACINGS[..1]);
     }
     path
 }

@@ -32,8 +32,6 @@ pub(super) enum Effort {
     Shortcut,
     /// The shortcut, the descent and longer moves.
     Descent,
-    /// All that, and moves are squeezed out.
-    Squeeze,
 }
 
 /// One resolution of the lattice.

@@ -346,20 +346,6 @@ impl Search<'_> {
         Some((arcs, status))
     }
 
-    /// The path of a report without the moves that can be squeezed out of it, with the checks of a level and a margin;
-    /// nothing where none can.
-    #[inline(never)]
-    pub(super) fn squeeze(&self, level: Level, margin: f64, path: &Report) -> Option<Report> {
-        if !self.config.shortcut {
-            return None;
-        }
-        let (this, costs) = (self.arrived(&path.arcs), self.costs());
-        let rules = Rules { checker: self.checker, costs: &costs, spacing: level.spacing, margin };
-        let arcs = improvement::squeezed(rules, self.start, path.arcs.clone());
-        let cost = costs.path(self.checker, self.start, &arcs);
-        this.verified(&arcs, margin).then(|| Report { arcs, cost, margin, ..path.clone() })
-    }
-
     /// The path after the shortcut, where the settings ask for one.
     pub(super) fn straightened(&self, arcs: &[Arc], level: Level, margin: f64) -> Vec<Arc> {
         if !self.config.shortcut {

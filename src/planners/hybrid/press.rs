@@ -69,7 +69,7 @@ fn numbers(arcs: &[Arc]) -> Vec<usize> {
 
 /// A path from `start` to the same end without one of the moves, told by its number, that keeps the margin of the
 /// rules; nothing where the others cannot give way. Only arcs near that move change.
-pub(super) fn press(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<Arc>> {
+fn press(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<Arc>> {
     let arcs = arcs::merge(arcs.to_vec());
     let pressed = move_of(&arcs, number);
     if pressed.is_empty() {

@@ -79,7 +79,7 @@ impl Search<'_> {
 
 /// A path from `start` to the same end that keeps the margin of the rules; nothing where this one cannot be moved so
 /// far. It must overlap nothing.
-pub(super) fn regain(rules: Rules, start: Pose, arcs: &[Arc]) -> Option<Vec<Arc>> {
+fn regain(rules: Rules, start: Pose, arcs: &[Arc]) -> Option<Vec<Arc>> {
     Course { rules, start, goal: arcs::end(start, arcs), pressed: 0..0 }.regain(arcs.to_vec())
 }
 

@@ -13,12 +13,12 @@
 //! the slot longer; their path must regain it (`regain`). A path that keeps no more than is comfortable is held against
 //! the same searches with its own margin.
 //!
-//! Moves are squeezed out of the known path before that (`squeeze`): with its margin, and then with no more than is
-//! comfortable. The same is tried with the next best path that was found, and with each that a search finds. Then moves
-//! are pressed out of it, and out of each better one (`press`): that saves more changes than the searches do.
+//! Before that moves are squeezed out of the known path (`squeeze`): with its margin, and then with no more than is
+//! comfortable; and out of the next best path that was found. Then others are pressed out of both in the same way
+//! (`press`), and later out of each better path that a search finds. That saves more changes than the searches do.
 //!
-//! Out of a path with many changes that the first level found, moves are only squeezed: that level has already searched
-//! for one with fewer.
+//! Out of a path with many changes that the first level found, moves are only squeezed and pressed: that level has
+//! already searched for one with fewer.
 
 use super::floods::Floods;
 use super::known_paths::changes_to_save;
@@ -71,7 +71,7 @@ type Save<'a> = fn(&Search<'a>, Level, f64, &Report) -> Option<Report>;
 /// saves enough gear changes.
 fn save_in<'a>(search: &Search<'a>, save: Save<'a>, (path, margin): (&Report, f64), work: &mut Work) {
     let known = &work.report;
-    if changes(known) <= FEW_CHANGES {
+    if changes(known).min(changes(path)) <= FEW_CHANGES {
         return;
     }
     let saved = if margin < known.margin { changes_to_save(known) } else { 1 };
