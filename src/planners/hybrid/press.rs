@@ -85,7 +85,7 @@ fn press(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<A
 /// The same for arcs all of which may change.
 fn press_among(rules: Rules, start: Pose, arcs: &[Arc], number: usize) -> Option<Vec<Arc>> {
     let goal = arcs::end(start, arcs);
-    let arcs = yielding(arcs.to_vec(), rules.costs.radius);
+    let arcs = yielding(arcs, rules.costs.radius);
     let pressed = move_of(&arcs, number);
     let least = Rules { margin: rules.margin.min(MIN_MARGIN), ..rules };
     let course = Course { rules: least, start, goal, pressed: pressed.clone() };

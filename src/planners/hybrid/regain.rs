@@ -89,7 +89,7 @@ pub(super) fn without_short(arcs: Vec<Arc>) -> Vec<Arc> {
 }
 
 /// The arcs with short ones at both ends of each move: on the other lock or, beside straight ones, on both.
-pub(super) fn yielding(arcs: Vec<Arc>, radius: f64) -> Vec<Arc> {
+pub(super) fn yielding(arcs: &[Arc], radius: f64) -> Vec<Arc> {
     let beside = |arc: &Arc| {
         let bends =
             if arc.curvature == 0.0 { vec![1.0 / radius, -1.0 / radius] } else { vec![-arc.curvature] };
@@ -107,6 +107,12 @@ fn stands(start: Pose, arcs: &[Arc]) -> Vec<Pose> {
         Some(*at)
     });
     core::iter::once(start).chain(ends).collect()
+}
+
+/// How the end moves as each arc grows.
+fn columns(arcs: &[Arc], stands: &[Pose]) -> Vec<Column> {
+    let end = stands[arcs.len()];
+    arcs.iter().zip(&stands[1..]).map(|(arc, &at)| column(end, at, arc.curvature)).collect()
 }
 
 /// An arc with another length, but of the same gear.
@@ -151,11 +157,12 @@ pub(super) struct Course<'a> {
 impl Course<'_> {
     /// A path moved away from obstacles until it keeps the margin, without arcs that are short then.
     pub(super) fn regain(&self, arcs: Vec<Arc>) -> Option<Vec<Arc>> {
-        let wide = self.widen(yielding(arcs::merge(arcs), self.rules.costs.radius))?;
+        let wide = self.widen(yielding(&arcs::merge(arcs), self.rules.costs.radius))?;
         self.widen(without_short(wide))
     }
 
     /// A path moved away from obstacles until it keeps the margin.
+    #[inline(never)]
     fn widen(&self, arcs: Vec<Arc>) -> Option<Vec<Arc>> {
         let mut path = self.close(arcs)?;
         let mut round = self.round(&path)?;
@@ -205,6 +212,7 @@ impl Course<'_> {
     }
 
     /// The arcs with lengths that lead to the goal, by the least changes; long arcs change most.
+    #[inline(never)]
     pub(super) fn close(&self, mut arcs: Vec<Arc>) -> Option<Vec<Arc>> {
         for _ in 0..MAX_NEWTON_STEPS {
             let stands = stands(self.start, &arcs);
@@ -212,7 +220,7 @@ impl Course<'_> {
             if miss.iter().all(|miss| miss.abs() < CLOSED) {
                 return Some(arcs);
             }
-            let columns = self.columns(&arcs, &stands);
+            let columns = columns(&arcs, &stands);
             let weight = |arc: &Arc| arc.length.abs().min(1.0);
             let mut normal = Matrix3::zeros();
             for (arc, column) in arcs.iter().zip(&columns) {
@@ -233,13 +241,8 @@ impl Course<'_> {
         [goal.x - end.x, goal.y - end.y, math::turn(end.heading, goal.heading)]
     }
 
-    /// How the end moves as each arc grows.
-    fn columns(&self, arcs: &[Arc], stands: &[Pose]) -> Vec<Column> {
-        let end = stands[arcs.len()];
-        arcs.iter().zip(&stands[1..]).map(|(arc, &at)| column(end, at, arc.curvature)).collect()
-    }
-
     /// What the contacts of a path tell; nothing where it overlaps something.
+    #[inline(never)]
     pub(super) fn round(&self, arcs: &[Arc]) -> Option<Round> {
         let stands = stands(self.start, arcs);
         let (mut least, mut missing) = (FAR, 0.0);
@@ -266,7 +269,7 @@ impl Course<'_> {
         let wanted = self.wanted();
         let mut matrix = DMatrix::zeros(count + 3, count + 3);
         let mut right = DVector::zeros(count + 3);
-        for (n, column) in self.columns(arcs, stands).into_iter().enumerate() {
+        for (n, column) in columns(arcs, stands).into_iter().enumerate() {
             matrix[(n, n)] = DAMPING;
             for (part, value) in column.into_iter().enumerate() {
                 (matrix[(n, count + part)], matrix[(count + part, n)]) = (value, value);

@@ -9,7 +9,7 @@
 //! A path with a large margin gives it up, down to what is comfortable, where that saves enough gear changes
 //! (`known_paths`). One with many changes is held against finer lattices: what one misses the next one finds. They
 //! shorten the moves that something blocks: what a fixed step leaves of a slot's room falls and rises with the length
-//! of the slot, and a longer one must not take more changes for that. Most of them are lent some margin, which makes
+//! of the slot, and a longer one must not take more changes for that. Some of them are lent some margin, which makes
 //! the slot longer; their path must regain it (`regain`). A path that keeps no more than is comfortable is held against
 //! the same searches with its own margin.
 //!
@@ -35,6 +35,8 @@ const WEIGHT: f64 = 2.0;
 const COARSE_EXPANSIONS: u32 = 5000;
 /// … of those between, …
 const FINE_EXPANSIONS: u32 = 20_000;
+/// … and of those that are lent some margin.
+const LENT_EXPANSIONS: u32 = 12_000;
 /// Where there are more gear changes than this, a search on a fine lattice is worth more, unless the car creeps anyway: …
 const VERY_MANY_CHANGES: u32 = 8;
 /// … so many expansions for each of them.
@@ -97,16 +99,10 @@ pub(super) fn look_again(search: Search, floods: &Floods, next_best: Option<&Rep
     let coarse = config.level(1).shortening();
     let beside = |number, few| plain(config.level(FINE_LEVEL).beside(number).shortening(), FINE_LEVEL, few);
     let up_to_contact = plain(config.level(FINE_LEVEL).up_to_contact(), FIRST_SHUFFLING_LEVEL, MANY_CHANGES);
-    let lent = |look| Look { is_lent: true, ..look };
+    let lent = |look| Look { most: LENT_EXPANSIONS, is_lent: true, ..look };
     // Less margin saves gear changes where there are few, too.
     let few = if less > kept { FEW_CHANGES } else { MANY_CHANGES };
-    let looks = [
-        coarsest,
-        plain(coarse, 1, few),
-        lent(plain(coarse, 1, FEW_CHANGES)),
-        lent(beside(1, FEW_CHANGES)),
-        lent(up_to_contact),
-    ];
+    let looks = [coarsest, plain(coarse, 1, few), lent(beside(1, FEW_CHANGES)), lent(up_to_contact)];
     for look in looks {
         let before = changes(work.report);
         if before > look.few {
