@@ -37,7 +37,7 @@ const COARSE_EXPANSIONS: u32 = 5000;
 const FINE_EXPANSIONS: u32 = 20_000;
 /// … and of those that are lent some margin.
 const LENT_EXPANSIONS: u32 = 12_000;
-/// Where there are more gear changes than this, a search on a fine lattice is worth more, unless the car creeps anyway: …
+/// Where there are more gear changes than this, a search on a fine lattice with a comfortable margin is worth more: …
 const VERY_MANY_CHANGES: u32 = 8;
 /// … so many expansions for each of them.
 const EXPANSIONS_PER_CHANGE: u32 = 5000;
