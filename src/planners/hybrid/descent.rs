@@ -17,9 +17,9 @@ mod path;
 use super::shortcut::Rules;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
-use path::{Column, STRETCH, volume};
+use path::{STRETCH, volume};
 
-pub(super) use path::{Path, move_of};
+pub(super) use path::{Column, Path, Stand, column, move_of};
 
 /// The arc that changes most changes by so much at a time, metres.
 const STEPS: [f64; 4] = [0.4, 0.2, 0.1, 0.05];

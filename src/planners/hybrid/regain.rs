@@ -26,6 +26,7 @@ use core::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
+use super::descent::Column;
 use super::lattices::{Effort, Level};
 use super::level::MARGIN_TOLERANCE;
 use super::question::Search;
@@ -33,7 +34,7 @@ use super::report::Report;
 use super::shortcut::Rules;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
-use near::{Column, FAR, Near, Way, column};
+use near::{FAR, Near, Way, column};
 
 /// Rounds for a margin.
 const PACE: Pace = Pace { grace: 4, most: 18 };

@@ -31,16 +31,21 @@ const MAX_HITS: usize = 32;
 const FINER: f64 = 2.0;
 
 /// How the end of a path moves for each metre that one of its arcs grows: x, y, heading.
-pub(super) type Column = [f64; 3];
+pub(in crate::planners::hybrid) type Column = [f64; 3];
 
 /// A pose, with sine and cosine of its heading.
 #[derive(Clone, Copy)]
-pub(super) struct Stand {
+pub(in crate::planners::hybrid) struct Stand {
     pose: Pose,
     turned: (f64, f64),
 }
 
 impl Stand {
+    #[inline]
+    pub(in crate::planners::hybrid) fn at(pose: Pose) -> Self {
+        Self { pose, turned: math::sin_cos(pose.heading) }
+    }
+
     #[inline]
     fn after(self, arc: &Arc, length: f64) -> Self {
         let (pose, turned) = self.pose.advance_turning(self.turned, arc.curvature, length);
@@ -81,7 +86,7 @@ impl<'a> Path<'a> {
         let mut path = Self {
             rules: Rules { spacing: rules.spacing / FINER, ..rules },
             arcs,
-            stands: vec![Stand { pose: start, turned: math::sin_cos(start.heading) }],
+            stands: vec![Stand::at(start)],
             places: Vec::new(),
             moved: Vec::new(),
             round: 0,
@@ -198,7 +203,7 @@ impl<'a> Path<'a> {
             if is_within(CLOSED) {
                 return true;
             }
-            let columns = three.map(|n| column(last, stands[n + 1], &arcs[n]));
+            let columns = three.map(|n| column(last.pose, stands[n + 1], arcs[n].curvature));
             let Some(parts) = solve(columns, miss) else { return false };
             for (n, part) in three.into_iter().zip(parts) {
                 arcs[n].length += part;
@@ -235,7 +240,7 @@ impl<'a> Path<'a> {
     /// How `end` moves as an arc grows.
     #[inline]
     pub(super) fn column(&self, end: Stand, arc: usize) -> Column {
-        column(end, self.stands[arc + 1], &self.arcs[arc])
+        column(end.pose, self.stands[arc + 1], self.arcs[arc].curvature)
     }
 
     /// Costs of the places that some arcs lead through.
@@ -312,11 +317,11 @@ fn follow(stands: &mut [Stand], arcs: &[Arc]) {
     }
 }
 
-/// How `end` moves as an arc grows that ends at `at`.
+/// How `later` moves as an arc before it grows that ends at `at`.
 #[inline]
-fn column(Stand { pose: end, .. }: Stand, at: Stand, arc: &Arc) -> Column {
+pub(in crate::planners::hybrid) fn column(later: Pose, at: Stand, curvature: f64) -> Column {
     let Stand { pose: at, turned: (sin, cos) } = at;
-    [cos - arc.curvature * (end.y - at.y), sin + arc.curvature * (end.x - at.x), arc.curvature]
+    [cos - curvature * (later.y - at.y), sin + curvature * (later.x - at.x), curvature]
 }
 
 /// Determinant of three columns.

@@ -32,6 +32,38 @@ pub(in crate::planners::hybrid) fn is_free(
     })
 }
 
+/// Hands over the ways of a car that rocks on the spot, by seed, among posts, so far as they are free; returns how many.
+pub(in crate::planners::hybrid) fn rocking(mut see: impl FnMut(Rules, Pose, &[Arc])) -> u32 {
+    let car = Vehicle::SEDAN;
+    let curvature = car.max_curvature();
+    let (mut state, mut paths) = (3_u32, 0);
+    let mut random = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 24)
+    };
+    for _ in 0..60 {
+        let posts: Vec<(f64, f64)> =
+            (0..8).map(|_| (22.0 + 16.0 * random(), 22.0 + 16.0 * random())).collect();
+        let obstacles = ground(60.0, &posts);
+        let checker = CollisionChecker::new(&obstacles, &car);
+        let start = obstacles.local(Pose::new(30.0, 30.0, 6.0 * random()));
+        let arcs: Vec<Arc> = (0..8)
+            .map(|n| {
+                let gear = f64::from(1 - 2 * (n % 2));
+                Arc { curvature: gear * curvature, length: gear * (0.3 + 0.6 * random()) }
+            })
+            .collect();
+        let ends = [start, arcs::end(start, &arcs)];
+        let costs = CostModel::driven(&Config::default(), car.min_turning_radius(), ends);
+        let rules = Rules { checker: &checker, costs: &costs, spacing: 0.1, margin: 0.05 };
+        if is_free(rules, start, &arcs) {
+            paths += 1;
+            see(rules, start, &arcs);
+        }
+    }
+    paths
+}
+
 /// Winding paths with a gear change, by seed, among posts: the end stays, the path is free, has no more gear changes
 /// and costs less than half of it in the mean.
 #[test]

@@ -2,8 +2,9 @@
 
 use nalgebra::DVector;
 
+use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
-use crate::geometry::{Pose, math};
+use crate::planners::hybrid::descent::{self, Column, Stand};
 use crate::vehicle::collision::{CollisionChecker, Contact};
 
 /// Distances are measured up to this, metres.
@@ -25,13 +26,9 @@ pub(super) struct Near {
     pub(super) distance: f64,
 }
 
-/// How a pose moves for each metre that an arc grows: x, y, heading.
-pub(super) type Column = [f64; 3];
-
 /// How `pose` moves as an arc before it grows that ends at `at`.
 pub(super) fn column(pose: Pose, at: Pose, curvature: f64) -> Column {
-    let (sin, cos) = math::sin_cos(at.heading);
-    [cos - curvature * (pose.y - at.y), sin + curvature * (pose.x - at.x), curvature]
+    descent::column(pose, Stand::at(at), curvature)
 }
 
 /// A path and what it should keep away from.
