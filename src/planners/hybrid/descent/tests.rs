@@ -32,7 +32,7 @@ pub(in crate::planners::hybrid) fn is_free(
     })
 }
 
-/// Hands over the ways of a car that rocks on the spot, by seed, among posts, so far as they are free; returns how many.
+/// Hands over the ways of a car that rocks on the spot, by seed, among posts, as far as they are free; tells how many.
 pub(in crate::planners::hybrid) fn rocking(mut see: impl FnMut(Rules, Pose, &[Arc])) -> u32 {
     let car = Vehicle::SEDAN;
     let curvature = car.max_curvature();

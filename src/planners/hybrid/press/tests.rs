@@ -6,7 +6,7 @@ use crate::planners::hybrid::descent::tests::{ground, rocking};
 use crate::vehicle::Vehicle;
 use crate::vehicle::collision::CollisionChecker;
 
-/// Out of nearly each way of a car that rocks some move can be pressed. The end stays, the path keeps its margin and has
+/// Out of nearly each way of a car that rocks a move can be pressed. The end stays, the path keeps its margin and has
 /// fewer gear changes.
 #[test]
 fn a_move_is_pressed_out_of_a_path_that_rocks() {

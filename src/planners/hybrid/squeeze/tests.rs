@@ -2,7 +2,7 @@ use super::*;
 use crate::geometry::math;
 use crate::planners::hybrid::descent::tests::{is_free, rocking};
 
-/// A move can be squeezed out of each way of a car that rocks. The end stays, the path is free, costs less and has fewer
+/// A move can be squeezed from each way of a car that rocks. The end stays, the path is free, costs less and has fewer
 /// gear changes. Nothing is tried where nothing may be.
 #[test]
 fn moves_are_squeezed_out_of_a_path_that_rocks() {
