@@ -26,7 +26,7 @@ use core::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::descent::Column;
+use super::descent::{Column, Stand, column};
 use super::lattices::{Effort, Level};
 use super::level::MARGIN_TOLERANCE;
 use super::question::Search;
@@ -34,7 +34,7 @@ use super::report::Report;
 use super::shortcut::Rules;
 use crate::geometry::arcs::{self, Arc};
 use crate::geometry::{Pose, math};
-use near::{FAR, Near, Way, column};
+use near::{FAR, Near, Way};
 
 /// Rounds for a margin.
 const PACE: Pace = Pace { grace: 4, most: 18 };
@@ -102,17 +102,17 @@ pub(super) fn yielding(arcs: &[Arc], radius: f64) -> Vec<Arc> {
 }
 
 /// The poses before each arc and at the end.
-fn stands(start: Pose, arcs: &[Arc]) -> Vec<Pose> {
+fn stands(start: Pose, arcs: &[Arc]) -> Vec<Stand> {
     let ends = arcs.iter().scan(start, |at, arc| {
         *at = at.advance(arc.curvature, arc.length);
         Some(*at)
     });
-    core::iter::once(start).chain(ends).collect()
+    core::iter::once(start).chain(ends).map(Stand::at).collect()
 }
 
 /// How the end moves as each arc grows.
-fn columns(arcs: &[Arc], stands: &[Pose]) -> Vec<Column> {
-    let end = stands[arcs.len()];
+fn columns(arcs: &[Arc], stands: &[Stand]) -> Vec<Column> {
+    let end = stands[arcs.len()].pose;
     arcs.iter().zip(&stands[1..]).map(|(arc, &at)| column(end, at, arc.curvature)).collect()
 }
 
@@ -217,7 +217,7 @@ impl Course<'_> {
     pub(super) fn close(&self, mut arcs: Vec<Arc>) -> Option<Vec<Arc>> {
         for _ in 0..MAX_NEWTON_STEPS {
             let stands = stands(self.start, &arcs);
-            let miss = self.miss(stands[arcs.len()]);
+            let miss = self.miss(stands[arcs.len()].pose);
             if miss.iter().all(|miss| miss.abs() < CLOSED) {
                 return Some(arcs);
             }
@@ -265,7 +265,7 @@ impl Course<'_> {
     }
 
     /// By how much each arc should change for the contacts that are too near.
-    fn changes(&self, arcs: &[Arc], stands: &[Pose], near: &[Near]) -> Option<Vec<f64>> {
+    fn changes(&self, arcs: &[Arc], stands: &[Stand], near: &[Near]) -> Option<Vec<f64>> {
         let count = arcs.len();
         let wanted = self.wanted();
         let mut matrix = DMatrix::zeros(count + 3, count + 3);
@@ -276,7 +276,7 @@ impl Course<'_> {
                 (matrix[(n, count + part)], matrix[(count + part, n)]) = (value, value);
             }
         }
-        for (part, miss) in self.miss(stands[count]).into_iter().enumerate() {
+        for (part, miss) in self.miss(stands[count].pose).into_iter().enumerate() {
             right[count + part] = miss;
         }
         let to_short = |n: usize| SHORT.copysign(arcs[n].length) - arcs[n].length;

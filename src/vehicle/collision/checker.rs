@@ -12,7 +12,7 @@ use std::cell::Cell as Counter;
 
 use super::Corridor;
 use super::Obstacles;
-use super::edge::{Edge, segment_distance};
+use super::edge::{Edge, point_square};
 use crate::IS_COMPLETE;
 use crate::geometry::arcs::Arc;
 use crate::geometry::{Point, Pose, Vector, math};
@@ -235,27 +235,31 @@ impl<'a> CollisionChecker<'a> {
 
     /// Distance from the body to the nearest edge, metres, at most `limit`; 0 where it overlaps.
     pub fn clearance(&self, pose: Pose, limit: f64) -> f64 {
-        if self.clear_by(pose, limit) {
+        let at = Placement::of(pose);
+        if self.has_room(at, limit) {
             return limit;
         }
-        if self.hit(pose, 0.0).is_some() {
-            return 0.0;
-        }
-        let at = Placement::of(pose);
-        let [front, back, left, right] = self.sides(0.0);
-        let corners =
-            [(front, left), (back, left), (back, right), (front, right)].map(|(x, y)| Point::new(x, y));
+        self.count(1);
+        let (sides, core) = (self.sides(0.0), self.sides(-CONTACT));
         let (low, high) = self.bounds(at, limit);
-        let mut best = limit;
-        self.obstacles.find(low, high, |edge| {
+        let mut square = limit * limit;
+        let overlapped = self.obstacles.find(low, high, |edge| {
             let (a, b) = (at.local(edge.a), at.local(edge.b));
-            for k in 0..4 {
-                best = best.min(segment_distance(a, b, corners[k], corners[(k + 1) % 4]));
+            let beside = gap_beside(a, b, sides);
+            if beside <= 0.0 && segment_meets_box(a, b, core) {
+                return true;
+            }
+            if beside <= 0.0 || beside * beside < square {
+                square = square.min(square_distance(a, b, sides));
             }
             false
         });
         // Contact leaves rounding errors, which are no room.
-        if best <= CONTACT { 0.0 } else { best }
+        match square.sqrt() {
+            _ if overlapped.is_some() => 0.0,
+            best if best <= CONTACT => 0.0,
+            best => best.min(limit),
+        }
     }
 
     /// Calls `see` with all edges that come near a box along the axes.
@@ -309,6 +313,16 @@ fn gap_from_line(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f6
         return 0.0;
     }
     corners.iter().fold(f64::INFINITY, |least, s| least.min(s.abs())) / (dx * dx + dy * dy).sqrt()
+}
+
+/// Distance of a segment from an upright box that it does not cross, squared.
+fn square_distance(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f64 {
+    let corners = [(front, left), (back, left), (back, right), (front, right)];
+    let least = |least: f64, square: f64| least.min(square);
+    let from_corners = corners.map(|(x, y)| point_square(Point::new(x, y), a, b));
+    let from_ends = [a, b]
+        .map(|end| (end - Point::new(end.x.clamp(back, front), end.y.clamp(right, left))).norm_squared());
+    from_corners.into_iter().chain(from_ends).fold(f64::INFINITY, least)
 }
 
 #[cfg(test)]

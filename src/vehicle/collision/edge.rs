@@ -16,13 +16,12 @@ pub struct Edge {
 
 /// Distance from a point to a segment, metres.
 pub(super) fn point_distance(p: Point, a: Point, b: Point) -> f64 {
-    (p - (a + (b - a) * nearest_share(p, a, b))).norm_squared().sqrt()
+    point_square(p, a, b).sqrt()
 }
 
-/// Distance of two segments that do not cross.
-pub(super) fn segment_distance(a: Point, b: Point, c: Point, d: Point) -> f64 {
-    let one = point_distance(a, c, d).min(point_distance(b, c, d));
-    one.min(point_distance(c, a, b)).min(point_distance(d, a, b))
+/// Distance from a point to a segment, squared.
+pub(super) fn point_square(p: Point, a: Point, b: Point) -> f64 {
+    (p - (a + (b - a) * nearest_share(p, a, b))).norm_squared()
 }
 
 /// The lower left and the upper right corner of the box around some points.

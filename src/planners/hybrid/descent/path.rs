@@ -36,8 +36,8 @@ pub(in crate::planners::hybrid) type Column = [f64; 3];
 /// A pose, with sine and cosine of its heading.
 #[derive(Clone, Copy)]
 pub(in crate::planners::hybrid) struct Stand {
-    pose: Pose,
-    turned: (f64, f64),
+    pub(in crate::planners::hybrid) pose: Pose,
+    pub(in crate::planners::hybrid) turned: (f64, f64),
 }
 
 impl Stand {

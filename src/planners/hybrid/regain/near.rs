@@ -2,9 +2,8 @@
 
 use nalgebra::DVector;
 
-use crate::geometry::Pose;
 use crate::geometry::arcs::Arc;
-use crate::planners::hybrid::descent::{self, Column, Stand};
+use crate::planners::hybrid::descent::{Column, Stand, column};
 use crate::vehicle::collision::{CollisionChecker, Contact};
 
 /// Distances are measured up to this, metres.
@@ -26,18 +25,13 @@ pub(super) struct Near {
     pub(super) distance: f64,
 }
 
-/// How `pose` moves as an arc before it grows that ends at `at`.
-pub(super) fn column(pose: Pose, at: Pose, curvature: f64) -> Column {
-    descent::column(pose, Stand::at(at), curvature)
-}
-
 /// A path and what it should keep away from.
 pub(super) struct Way<'a> {
     pub(super) checker: &'a CollisionChecker<'a>,
     pub(super) margin: f64,
     pub(super) arcs: &'a [Arc],
     /// The poses before each arc and at the end.
-    pub(super) stands: &'a [Pose],
+    pub(super) stands: &'a [Stand],
 }
 
 impl Way<'_> {
@@ -50,7 +44,8 @@ impl Way<'_> {
         let Self { checker, margin, arcs, stands } = *self;
         let arc = &arcs[number];
         let whole = arc.length.abs();
-        let pose = |along: f64| stands[number].advance(arc.curvature, along.copysign(arc.length));
+        let Stand { pose: from, turned } = stands[number];
+        let pose = |along: f64| from.advance_turned(turned, arc.curvature, along.copysign(arc.length));
         let distance = |along: f64| checker.clearance(pose(along), FAR);
         let mut places = vec![(0.0, distance(0.0))];
         let mut last = places[0];
@@ -75,6 +70,7 @@ impl Way<'_> {
                 least = f64::min(least, room);
             }
             let at = pose(along);
+            let here = Stand::at(at);
             checker.contacts(at, limit, found);
             for &Contact { distance, point, away } in &*found {
                 let arm = point - at.point();
@@ -84,7 +80,7 @@ impl Way<'_> {
                     if n < number {
                         slope(column(at, stands[n + 1], arcs[n].curvature))
                     } else {
-                        along / whole * slope(column(at, at, arc.curvature))
+                        along / whole * slope(column(at, here, arc.curvature))
                     }
                 });
                 near.push(Near { slopes, distance });
