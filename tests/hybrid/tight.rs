@@ -252,6 +252,21 @@ fn prices_and_less_margin_cost_no_more_than_the_usual_path() {
     assert!(compared >= 30, "{compared}");
 }
 
+/// By these settings alone the car is boxed in there, as far as a lattice can tell.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn what_boxes_a_car_in_by_other_prices_or_less_margin_is_held_against_the_usual_path() {
+    use crate::freedom::{Answers, MARGINS, PRICES, Question};
+    let (_, kerb) = tight_scenes::KINDS.into_iter().find(|(kind, _)| *kind == "kerb").unwrap();
+    let Scene { name, vehicle, obstacles, start, goal, .. } = kerb(&Vehicle::PAPER, 241_009);
+    let answers = Answers::new(Question { obstacles: &obstacles, vehicle, start, goal });
+    let asked = ["reverseCost 2 against 1", "margin 0 against 10 cm"];
+    for pair in PRICES.iter().chain(&MARGINS).filter(|pair| asked.contains(&pair.name)) {
+        let one = pair.compare(&answers, Config::default()).expect("the usual settings find a path");
+        assert!(one.ratio <= 1.01, "{name}: {}, {}", pair.name, one.ratio);
+    }
+}
+
 /// Fine lattices from either end, with a centimetre, find two gear changes where others find three or four.
 #[cfg(not(target_arch = "wasm32"))]
 #[test]

@@ -71,9 +71,11 @@ pub(super) fn compare(
     search: &mut dyn FnMut(&Config, u32) -> Option<Report>,
 ) -> Report {
     // That a lattice holds no path by these prices is no proof for the same lattice by others.
-    let is_open =
-        matches!(report.status, Status::BudgetExhausted(_) | Status::VerificationFailed | Status::NoPath)
-            && !report.are_apart;
+    let is_open = !report.are_apart
+        && matches!(
+            report.status,
+            Status::BudgetExhausted(_) | Status::VerificationFailed | Status::NoPath | Status::BoxedIn { .. }
+        );
     if report.stats.expanded == 0 || (report.arcs.is_empty() && !is_open) {
         return report;
     }
