@@ -240,26 +240,18 @@ impl<'a> CollisionChecker<'a> {
             return limit;
         }
         self.count(1);
-        let (sides, core) = (self.sides(0.0), self.sides(-CONTACT));
+        if self.exact(at, -CONTACT).is_some() {
+            return 0.0;
+        }
+        let sides = self.sides(0.0);
         let (low, high) = self.bounds(at, limit);
-        let mut square = limit * limit;
-        let overlapped = self.obstacles.find(low, high, |edge| {
-            let (a, b) = (at.local(edge.a), at.local(edge.b));
-            let beside = gap_beside(a, b, sides);
-            if beside <= 0.0 && segment_meets_box(a, b, core) {
-                return true;
-            }
-            if beside <= 0.0 || beside * beside < square {
-                square = square.min(square_distance(a, b, sides));
-            }
-            false
+        let mut square = f64::INFINITY;
+        self.edges_near((low, high), |edge| {
+            square = square.min(square_distance(at.local(edge.a), at.local(edge.b), sides));
         });
         // Contact leaves rounding errors, which are no room.
-        match square.sqrt() {
-            _ if overlapped.is_some() => 0.0,
-            best if best <= CONTACT => 0.0,
-            best => best.min(limit),
-        }
+        let best = square.sqrt().min(limit);
+        if best <= CONTACT { 0.0 } else { best }
     }
 
     /// Calls `see` with all edges that come near a box along the axes.
@@ -317,12 +309,15 @@ fn gap_from_line(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f6
 
 /// Distance of a segment from an upright box that it does not cross, squared.
 fn square_distance(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f64 {
-    let corners = [(front, left), (back, left), (back, right), (front, right)];
-    let least = |least: f64, square: f64| least.min(square);
-    let from_corners = corners.map(|(x, y)| point_square(Point::new(x, y), a, b));
-    let from_ends = [a, b]
-        .map(|end| (end - Point::new(end.x.clamp(back, front), end.y.clamp(right, left))).norm_squared());
-    from_corners.into_iter().chain(from_ends).fold(f64::INFINITY, least)
+    let mut least = f64::INFINITY;
+    for end in [a, b] {
+        let nearest = Point::new(end.x.max(back).min(front), end.y.max(right).min(left));
+        least = least.min((end - nearest).norm_squared());
+    }
+    for (x, y) in [(front, left), (back, left), (back, right), (front, right)] {
+        least = least.min(point_square(Point::new(x, y), a, b));
+    }
+    least
 }
 
 #[cfg(test)]

@@ -20,6 +20,7 @@ pub(super) fn point_distance(p: Point, a: Point, b: Point) -> f64 {
 }
 
 /// Distance from a point to a segment, squared.
+#[inline(never)]
 pub(super) fn point_square(p: Point, a: Point, b: Point) -> f64 {
     (p - (a + (b - a) * nearest_share(p, a, b))).norm_squared()
 }
