@@ -261,7 +261,9 @@ fn what_boxes_a_car_in_by_other_prices_or_less_margin_is_held_against_the_usual_
     let Scene { name, vehicle, obstacles, start, goal, .. } = kerb(&Vehicle::PAPER, 241_009);
     let answers = Answers::new(Question { obstacles: &obstacles, vehicle, start, goal });
     let asked = ["reverseCost 2 against 1", "margin 0 against 10 cm"];
-    for pair in PRICES.iter().chain(&MARGINS).filter(|pair| asked.contains(&pair.name)) {
+    let pairs: Vec<_> = PRICES.iter().chain(&MARGINS).filter(|pair| asked.contains(&pair.name)).collect();
+    assert_eq!(pairs.len(), asked.len());
+    for pair in pairs {
         let one = pair.compare(&answers, Config::default()).expect("the usual settings find a path");
         assert!(one.ratio <= 1.01, "{name}: {}, {}", pair.name, one.ratio);
     }
