@@ -106,6 +106,25 @@ test("a reload brings back the scene to the last digit, the same plans, undo and
   expect(complaints).toEqual([]);
 });
 
+test("a reload that the server takes its time over brings back the scene as well", async ({ page }) => {
+  await open(page);
+  await draw(page);
+  await page.waitForTimeout(1800);
+  await page.route(
+    (url) => url.pathname.endsWith("/"),
+    async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 2500));
+      await route.continue();
+    },
+  );
+  await page.keyboard.press("Control+z");
+  const scene = await sceneOf(page);
+  await reload(page);
+  expect(await sceneOf(page)).toEqual(scene);
+  await page.keyboard.press("Control+Shift+z");
+  expect((await sceneOf(page)).name).toBe("Mine");
+});
+
 test("an edit before the page has done what it does when it is idle survives a reload", async ({ page }) => {
   await page.addInitScript(() => {
     window.requestIdleCallback = () => 0;

@@ -27,6 +27,9 @@ export class LinkSync {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private unsubscribe: (() => void) | null = null;
   private readonly onHash = (): void => void this.arrive();
+  /** A reload opens the address it began with, however late the server answers, and the history is kept for that one. */
+  private readonly onLeaving = (): void => void (this.leaving = true);
+  private leaving = false;
   private written = "";
   private turn = 0;
   private marking = Promise.resolve();
@@ -39,8 +42,11 @@ export class LinkSync {
 
   start(): void {
     addEventListener("hashchange", this.onHash);
+    addEventListener("beforeunload", this.onLeaving);
     this.unsubscribe = this.store.subscribe((state, previous) => {
       if (state.scene === previous.scene) return;
+      // Whoever draws has stayed.
+      this.leaving = false;
       clearTimeout(this.timer);
       // A mark that takes longer names the scene before it.
       this.timer = setTimeout(() => void this.marking.finally(() => this.write()), SETTLE_MS);
@@ -49,6 +55,7 @@ export class LinkSync {
 
   stop(): void {
     removeEventListener("hashchange", this.onHash);
+    removeEventListener("beforeunload", this.onLeaving);
     this.unsubscribe?.();
     clearTimeout(this.timer);
   }
@@ -86,7 +93,7 @@ export class LinkSync {
     clearTimeout(this.timer);
     const { hash } = location,
       href = await this.address();
-    if (href && href !== location.href && hash === location.hash) {
+    if (href && href !== location.href && hash === location.hash && !this.leaving) {
       this.written = new URL(href).hash;
       history.replaceState(history.state, "", href);
     }
