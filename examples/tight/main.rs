@@ -7,6 +7,7 @@
 //! cargo run --release --example tight monotone [count] [first seed] [setting=value …]
 //! cargo run --release --example tight fewest [count] [first seed] [KIND]
 //! cargo run --release --example tight json [scenes per cell] [every]
+//! cargo run --release --example tight scenes [count] [first seed]
 //! ```
 //!
 //! `all` takes every kind in turn, the cars by turns; `promised` the kerb slots that the sedan must enter. `members`
@@ -16,7 +17,7 @@
 //! the car changes gear more than once more often than in a shorter one. `fewest` asks for the fewest gear changes, in
 //! kerb slots with at least 1.5 m to spare unless it is given a kind, and prints where a single search takes fewer.
 //! `json`, for `cargo xtask bench tight`: how tight it can be over two sizes, every so-many-th cell, and 100 scenes of
-//! each kind.
+//! each kind. `scenes`, for `cargo xtask bench kerb`: the kerb slots of `promised`, one in JSON a line.
 
 mod answer;
 #[path = "../clock/mod.rs"]
@@ -78,6 +79,9 @@ fn main() {
     if what == "monotone" {
         return monotone::print(&run);
     }
+    if what == "scenes" {
+        return print_scenes(&run);
+    }
     if what == "fewest" {
         let named =
             |name: &str| KINDS.into_iter().filter(|(kind, _)| *kind == name || name == "all").collect();
@@ -90,7 +94,7 @@ fn main() {
     };
     assert!(
         !kinds.is_empty(),
-        "there are all, promised, monotone, fewest, json and {}",
+        "there are all, promised, monotone, fewest, json, scenes and {}",
         KINDS.map(|(name, _)| name).join(", ")
     );
     run.table(&kinds, cars);
@@ -105,6 +109,14 @@ fn print_json(count: u64, every: u64) {
         is_verbose: false,
     };
     println!("{}", json!({ "count": count, "maps": maps::measure(count, every), "kinds": run.figures() }));
+}
+
+fn print_scenes(run: &Run) {
+    for seed in run.seeds.clone() {
+        for (kind, make) in PROMISED {
+            println!("{}", json!({ "kind": kind, "scene": make(&CARS[0].1, seed).scenario() }));
+        }
+    }
 }
 
 fn config(settings: &[String]) -> Config {

@@ -59,11 +59,6 @@ async function calm(page, metrics) {
   console.log(
     `leaps of hybrid's path to a way within 3 % of the length: ${idle}; target none: ${idle === 0 ? "met" : "missed"}`,
   );
-  for (const planner of Object.keys(steps[0]?.plans ?? {}))
-    row(
-      `  planning alone, ${planner}`,
-      steps.map((one) => one.plans[planner] ?? NaN),
-    );
   const each = (name) => ((1000 * (after[name] - before[name])) / steps.length).toFixed(1);
   console.log(
     `main thread, CPU time a ` +
@@ -255,7 +250,6 @@ async function installProbe() {
         found: results.hybrid.plan?.outcome === "found",
         path: [...(results.hybrid.plan?.path ?? [])],
         length: results.hybrid.plan?.metrics.length,
-        plans: Object.fromEntries(Object.entries(results).map(([id, { millis }]) => [id, millis])),
       };
     },
     watch() {

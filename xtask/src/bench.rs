@@ -1,7 +1,7 @@
 //! `cargo xtask bench grid`: our grid planners against others, in one run; `bench parking`: hybrid A* on public cases,
 //! natively and in WebAssembly, beside the best known; `bench tight`: how tight it can be, drawn into the
-//! documentation; `bench judge`: the trajectories of all planners before the referee; `bench batch`: the command over
-//! generated scenes, on two threads and on one.
+//! documentation; `bench kerb`: the package in kerb slots by seed; `bench judge`: the trajectories of all planners
+//! before the referee; `bench batch`: the command over generated scenes, on two threads and on one.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -28,11 +28,12 @@ pub(crate) fn bench(arguments: &[String]) -> Result<()> {
         [what] if what == "parking" => parking(&data),
         [what] if what == "tight" => tight(false),
         [what, mode] if what == "tight" && mode == "check" => tight(true),
+        [what, numbers @ ..] if what == "kerb" && numbers.len() <= 2 => kerb(numbers),
         [what] if what == "batch" => batch(),
         [what] if what == "judge" => judge(&data),
         _ => bail!(
             "there are `bench grid [questions] [repeats] [goals, as G6,G8]`, `bench parking`, `bench tight [check]`, \
-             `bench judge` and `bench batch`"
+             `bench kerb [count] [first seed]`, `bench judge` and `bench batch`"
         ),
     }
 }
@@ -72,6 +73,17 @@ fn tight(is_check: bool) -> Result<()> {
     let file = examples.join("tight-results.json");
     fs::write(&file, results).with_context(|| file.display().to_string())?;
     run(node().arg("tests/bench/tight.mjs").arg(&file).args(is_check.then_some("check")))
+}
+
+/// How long the package takes over kerb slots that the sedan enters with 3 cm of margin.
+fn kerb(numbers: &[String]) -> Result<()> {
+    site::package()?;
+    run(cargo().args(["build", "--release", "--locked", "--example", "tight"]))?;
+    let examples = Workspace::load()?.target.join("release/examples");
+    let scenes = capture(Command::new(examples.join("tight")).arg("scenes").args(numbers))?;
+    let file = examples.join("kerb-scenes.jsonl");
+    fs::write(&file, scenes).with_context(|| file.display().to_string())?;
+    run(node().arg("tests/bench/kerb.mjs").arg(&file))
 }
 
 /// `parkade batch` with two jobs against one.

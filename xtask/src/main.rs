@@ -80,7 +80,7 @@ const COMMANDS: &[Command] = &[
     Command {
         name: "bench",
         about: "build, then measure: bench grid [questions] [repeats], bench parking, bench tight [check], bench \
-            judge, bench batch",
+            kerb [count] [first seed], bench judge, bench batch",
         run: bench::bench,
     },
     Command {

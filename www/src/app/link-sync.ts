@@ -27,7 +27,7 @@ export class LinkSync {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private unsubscribe: (() => void) | null = null;
   private readonly onHash = (): void => void this.arrive();
-  /** A reload opens the address it began with, however late the server answers, and the history is kept for that one. */
+  /** A reload opens the address it began with, however late the server answers; the history is kept for that one. */
   private readonly onLeaving = (): void => void (this.leaving = true);
   private leaving = false;
   private written = "";
