@@ -28,7 +28,6 @@ mod members;
 mod monotone;
 mod tally;
 #[path = "../../tests/tight_scenes/mod.rs"]
-#[expect(dead_code, reason = "scenes are planned as they are drawn")]
 mod tight_scenes;
 
 use parkade::planners::hybrid::Config;
