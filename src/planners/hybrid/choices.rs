@@ -30,7 +30,7 @@ use crate::geometry::{Pose, arcs};
 use crate::json;
 use crate::search::Progress;
 use crate::vehicle::collision::CollisionChecker;
-use fewest::{FEWER_CHANGES_MARGINS, creeping_levels, layered};
+use fewest::{CREEPING_PASSES, FEWER_CHANGES_MARGINS, creeping_levels, layered};
 
 /// The preference by which a path is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,8 +63,6 @@ const PRICED_EXPANSIONS: u32 = 20_000;
 const FINE_LAYERS_WEIGHT: f64 = 2.0;
 /// A car that creeps into a slot keeps this much, metres: with it all lattices are searched from both ends.
 const CREEPING_MARGIN: f64 = 0.01;
-/// The shortcut may take so many gear changes more out of a path than must be saved.
-const SAVED_BY_SHORTCUT: u32 = 4;
 /// The levels that are searched with and without room for the shortcut from the start, too.
 const SWAPPED_TWICE: [u32; 2] = [1, 2];
 /// Expansions of each such search.
@@ -208,7 +206,8 @@ impl Run<'_, '_> {
 
     /// A path with fewer gear changes, with hardly any margin: each lattice finds it in some slots. What takes too many
     /// is left out, so that a search soon ends where there is nothing to gain; a second one leaves room for what the
-    /// shortcut saves. From the start they find other ways than from the slot, and take long.
+    /// shortcut saves, and in a third one a change is dearer. From the start they find other ways than from the slot,
+    /// and take long.
     fn creep(&mut self, margin: usize) -> Goes {
         let config = *self.search.config;
         if config.levels() < FIRST_SHUFFLING_LEVEL {
@@ -219,11 +218,16 @@ impl Run<'_, '_> {
         for &is_swapped in ends {
             for (level, number) in creeping_levels(&config) {
                 let is_once = is_swapped && !SWAPPED_TWICE.contains(&number);
-                for more in [0, SAVED_BY_SHORTCUT].into_iter().take(if is_once { 1 } else { 2 }) {
+                let passes = match is_swapped {
+                    _ if is_once => 1,
+                    true => 2,
+                    false => CREEPING_PASSES.len(),
+                };
+                for &(more, extra_change) in &CREEPING_PASSES[..passes] {
                     if self.changes < 2 || (is_swapped && self.changes <= FEW_CHANGES) {
                         return Goes::Continue(());
                     }
-                    let level = level.with_changes(self.changes - 1 + more);
+                    let level = Level { extra_change, ..level.with_changes(self.changes - 1 + more) };
                     self.attempt(&config, (level, number, CREEPING_EXPANSIONS), margin, is_swapped)?;
                 }
             }

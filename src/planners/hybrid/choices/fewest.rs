@@ -11,8 +11,9 @@ use crate::planners::hybrid::question::MIN_MARGIN;
 
 /// Margins with which fewer are looked for beside the one kept, metres.
 pub(super) const FEWER_CHANGES_MARGINS: [f64; 3] = [COMFORTABLE_MARGIN, 0.01, MIN_MARGIN];
-/// Extra cost of a gear change where the car creeps, metres.
-const CREEPING_CHANGE_COST: f64 = 2.0;
+/// The searches of a lattice where the car creeps: how many gear changes more its paths may take than must be saved,
+/// for the shortcut takes some out, and the extra cost of a change, metres.
+pub(super) const CREEPING_PASSES: [(u32, f64); 3] = [(0, 2.0), (4, 2.0), (4, 6.0)];
 /// The price of a gear change where fewer are looked for: this many metres …
 const CHANGE_PRICE: f64 = 100.0;
 /// … and this many lengths of the first path. No way that is worth taking is as long.
@@ -26,7 +27,7 @@ pub(super) fn creeping_levels(config: &Config) -> impl Iterator<Item = (Level, u
     let plain: Vec<_> = (0..=finest).map(|number| (config.level(number), number)).collect();
     plain.into_iter().chain(others).map(move |(level, number)| {
         let weight = if number == 0 { coarse.weight } else { fine.weight };
-        (Level { weight, extra_change: CREEPING_CHANGE_COST, ..level.cheaply_tried(&coarse) }, number)
+        (Level { weight, ..level.cheaply_tried(&coarse) }, number)
     })
 }
 
