@@ -1,8 +1,8 @@
-// `cargo xtask bench kerb`: hybrid A* through the built package in kerb slots by seed, which the sedan enters with 3 cm of
-// margin or more.
+// `cargo xtask bench kerb`: hybrid A* through the built package in kerb slots by seed, which the sedan enters with 3 cm
+// of margin or more.
 //
-// Usage: node kerb.mjs SCENES, which `tight scenes` has printed. Prints for each kind how many are solved so, the times,
-// and the most gear changes. Times are of the processor, the least of a few runs.
+// Usage: node kerb.mjs SCENES, which `tight scenes` has printed. Prints for each kind how many are solved so, the
+// times, and the most gear changes. Times are of the processor, the least of a few runs.
 import { readFileSync } from "node:fs";
 import { init, Planner } from "../../pkg/node.js";
 import { quantile } from "../quantile.mjs";

@@ -20,8 +20,8 @@ it("a link with a view keeps it, also while the address of the scene before is a
       Object.assign(place, { href, hash: new URL(href).hash });
     },
   });
-  vi.stubGlobal("addEventListener", (_: string, listener: () => void) => {
-    arrive = listener;
+  vi.stubGlobal("addEventListener", (type: string, listener: () => void) => {
+    if (type === "hashchange") arrive = listener;
   });
   const store = createStore({ scene }),
     views: (readonly string[] | undefined)[] = [];
@@ -47,8 +47,8 @@ it("of two links that come at once only the last one is opened, however long the
     place = { hash: "", href: "https://example.org/" };
   let arrive = (): void => {};
   vi.stubGlobal("location", place);
-  vi.stubGlobal("addEventListener", (_: string, listener: () => void) => {
-    arrive = listener;
+  vi.stubGlobal("addEventListener", (type: string, listener: () => void) => {
+    if (type === "hashchange") arrive = listener;
   });
   const opened: (string | undefined)[] = [],
     refused: string[] = [];
