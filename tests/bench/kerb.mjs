@@ -43,7 +43,7 @@ for (const [kind, target] of Object.entries(TARGETS)) {
   const at = (share) => quantile(times, share).toFixed(1);
   console.log(
     `${kind} m: ${solved.length} of ${answers.length} with at least ${PROMISED_MARGIN} m of margin, at most ` +
-      `${Math.max(...solved.map(({ plan }) => plan.metrics.directionChanges))} gear changes; p50 ${at(0.5)}, ` +
+      `${Math.max(0, ...solved.map(({ plan }) => plan.metrics.directionChanges))} gear changes; p50 ${at(0.5)}, ` +
       `p95 ${at(SHARE)}, most ${at(1)} ms; target ${target} ms at p95: ` +
       `${quantile(times, SHARE) <= target ? "met" : "missed"}`,
   );

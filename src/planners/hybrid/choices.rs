@@ -218,11 +218,7 @@ impl Run<'_, '_> {
         for &is_swapped in ends {
             for (level, number) in creeping_levels(&config) {
                 let is_once = is_swapped && !SWAPPED_TWICE.contains(&number);
-                let passes = match is_swapped {
-                    _ if is_once => 1,
-                    true => 2,
-                    false => CREEPING_PASSES.len(),
-                };
+                let passes = if is_swapped { 2 - usize::from(is_once) } else { CREEPING_PASSES.len() };
                 for &(more, extra_change) in &CREEPING_PASSES[..passes] {
                     if self.changes < 2 || (is_swapped && self.changes <= FEW_CHANGES) {
                         return Goes::Continue(());
