@@ -44,9 +44,10 @@ async function draw(page: Page): Promise<void> {
       { label: "start" },
     );
   });
-  await page.keyboard.press("w");
-  await dragWorld(page, [6, 16], [9, 16]);
+  await page.keyboard.press("l");
+  await dragWorld(page, [6, 10], [9, 10]);
   await page.keyboard.press("Escape");
+  expect((await sceneOf(page)).obstacles?.at(-1)).toMatchObject({ type: "wall" });
   await page.evaluate(() => {
     const { store } = document.querySelector("parkade-playground") as unknown as {
       store: { state: { scene: Record<string, Untyped> }; edit(scene: object, options: object): void };
