@@ -1,5 +1,6 @@
 //! Whether more freedom costs more: pairs of settings on random scenes, each answer against the other settings' path
-//! under the same measure. Prints for each pair how many answers cost over 1 % more, and by how much.
+//! under the same measure. Prints for each pair how many answers cost over 1 % more, and by how much; and how many of
+//! these still do after a search for better paths, as `alternatives` asks for.
 //!
 //! ```sh
 //! cargo run --release --example freedom [count] [first seed] [verbose] [random|KIND …]
@@ -32,6 +33,8 @@ struct Tally {
     count: u32,
     coarse: Vec<f64>,
     fine: Vec<f64>,
+    /// What is left above 1 % after a search for better paths.
+    left: Vec<f64>,
 }
 
 fn main() {
@@ -60,19 +63,23 @@ fn main() {
             ask(&format!("{}, seed {seed}", scene.name), question, &mut tallies, is_verbose);
         }
     }
-    println!("| asked for | compared | over 1 % dearer, coarsest level | worst | other levels | worst |");
-    println!("| --- | --- | --- | --- | --- | --- |");
+    println!(
+        "| asked for | compared | over 1 % dearer, coarsest level | worst | other levels | worst | after a search | worst |"
+    );
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for (pair, tally) in pairs().zip(&tallies) {
         let worst = |ratios: &[f64]| ratios.iter().copied().fold(1.0, f64::max);
         let (coarse, fine) = (&tally.coarse, &tally.fine);
         println!(
-            "| {} | {} | {} | {:.3} | {} | {:.3} |",
+            "| {} | {} | {} | {:.3} | {} | {:.3} | {} | {:.3} |",
             pair.name,
             tally.count,
             coarse.len(),
             worst(coarse),
             fine.len(),
-            worst(fine)
+            worst(fine),
+            tally.left.len(),
+            worst(&tally.left)
         );
     }
 }
@@ -84,8 +91,13 @@ fn ask(name: &str, question: Question, tallies: &mut [Tally], is_verbose: bool) 
         tally.count += 1;
         if ratio > LOSS {
             if levels == [0, 0] { &mut tally.coarse } else { &mut tally.fine }.push(ratio);
+            let left =
+                if ratio.is_finite() { pair.ratio_after_search(&answers, Config::default()) } else { ratio };
+            if left > LOSS {
+                tally.left.push(left);
+            }
             if is_verbose {
-                println!("{name}: {}: {ratio:.3}, levels {levels:?}", pair.name);
+                println!("{name}: {}: {ratio:.3}, levels {levels:?}, after a search {left:.3}", pair.name);
             }
         }
     }

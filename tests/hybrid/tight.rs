@@ -252,6 +252,30 @@ fn prices_and_less_margin_cost_no_more_than_the_usual_path() {
     assert!(compared >= 30, "{compared}");
 }
 
+/// Other settings find a cheaper path than the first answer there, from a tenth to a third.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn a_search_for_better_paths_finds_what_other_settings_find() {
+    use crate::freedom::{Answers, OTHERS, Question};
+    use crate::tight_scenes::garage;
+    let mut dearer = 0;
+    for (make, car, seed) in [
+        (garage as fn(&Vehicle, u64) -> Scene, &Vehicle::SEDAN, 251_006),
+        (garage, &Vehicle::SEDAN, 251_046),
+        (cluttered, &Vehicle::PAPER, 251_049),
+    ] {
+        let Scene { name, vehicle, obstacles, start, goal, .. } = make(car, seed);
+        let answers = Answers::new(Question { obstacles: &obstacles, vehicle, start, goal });
+        for pair in &OTHERS {
+            let Some(one) = pair.compare(&answers, Config::default()) else { continue };
+            dearer += u32::from(one.ratio > 1.05);
+            let left = pair.ratio_after_search(&answers, Config::default());
+            assert!(left <= 1.01, "{name}: {}, {left}", pair.name);
+        }
+    }
+    assert!(dearer >= 3, "{dearer}");
+}
+
 /// By these settings alone the car is boxed in there, as far as a lattice can tell.
 #[cfg(not(target_arch = "wasm32"))]
 #[test]

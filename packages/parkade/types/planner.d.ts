@@ -77,9 +77,10 @@ export class Planner<Id extends PlannerId = PlannerId> {
    *
    * Hybrid only, and not in `parkade/core`: `prefer` looks for a better path than the ordinary one by that measure,
    * gear changes first for "fewest-changes"; `alternatives` looks for all that are worth choosing from. Without
-   * `prefer` the answer is then the path that costs least with no less margin. `onImproved` is given the ordinary plan,
-   * and each better one as soon as it is found; what it throws counts as in `onProgress`. All are bounded by counted
-   * work, a few times that of an ordinary plan of a tight slot, and the same everywhere.
+   * `prefer` other settings are asked for ways as well, and the answer is the path that costs least by these, with no
+   * less margin. `onImproved` is given the ordinary plan, and each better one as soon as it is found; what it throws
+   * counts as in `onProgress`. All are bounded by counted work, a few times that of an ordinary plan of a tight slot,
+   * and the same everywhere.
    *
    * `stickiness`, 0 to 1, hybrid only, for what is dragged: this planner's last path, led to the new ends and around
    * what is in its way, stays unless another one costs less by more than that share and is longer or shorter by more

@@ -11,10 +11,14 @@
 //! * *Widest*: the margin is the largest with which there is a path, found by trying shares of the room at the ends
 //!   and halving the gap between the last that fails and the first that succeeds.
 //!
+//! Where nothing is preferred, a cheaper path by the ordinary costs is worth as much: what other settings find is
+//! compared by these costs (`elsewhere`).
+//!
 //! Each search has its own limit of expansions. It is as deterministic as the ordinary plan, and no result is proven
 //! the best of its kind.
 
 mod cheapest;
+mod elsewhere;
 mod fewest;
 
 use core::ops::ControlFlow;
@@ -130,8 +134,7 @@ pub fn choices(
     let work = Work { report: &mut report, scratch, progress };
     let changes = arcs::direction_changes(&first.arcs);
     let mut run = Run { search, floods: &floods, kept, parts, widest, changes, first, work, offer };
-    let wants = |one| prefer.is_none_or(|prefer| prefer == one);
-    let _ = run.all(&wants);
+    let _ = run.all(prefer);
     report.collision_checks += checker.checks();
     report
 }
@@ -159,8 +162,12 @@ struct Run<'a, 'p> {
 }
 
 impl Run<'_, '_> {
-    /// Runs the searches that are wanted, those whose results help the later ones first.
-    fn all(&mut self, wants: &dyn Fn(Prefer) -> bool) -> Goes {
+    /// Runs the searches for what is preferred, those whose results help the later ones first.
+    fn all(&mut self, prefer: Option<Prefer>) -> Goes {
+        let wants = |one| prefer.is_none_or(|prefer| prefer == one);
+        if prefer.is_none() {
+            self.elsewhere()?;
+        }
         if wants(Prefer::FewestChanges) {
             self.fewer_changes()?;
         }
@@ -352,23 +359,25 @@ impl Run<'_, '_> {
         }
         if found {
             let counters = self.work.report.counters();
-            let mut path = core::mem::replace(self.work.report, counters);
+            let path = core::mem::replace(self.work.report, counters);
             self.work.report.status = Status::Suboptimal;
-            let changes = arcs::direction_changes(&path.arcs);
-            if self.creeps(margin) && changes >= self.changes {
+            if self.creeps(margin) && arcs::direction_changes(&path.arcs) >= self.changes {
                 return Goes::Continue(true);
             }
-            self.changes = self.changes.min(changes);
-            if !self.search.goals.is_empty() {
-                let clearance = widest::clearance(self.search.checker, self.search.start, &path.arcs);
-                self.widest = self.widest.max(clearance);
-            }
-            let costs = self.search.arrived(&path.arcs).costs();
-            path.cost = costs.path(self.search.checker, self.search.start, &path.arcs);
-            path.status = Status::Suboptimal;
-            (self.offer)(path)?;
+            self.take(path)?;
         }
         Goes::Continue(found)
+    }
+
+    /// Offers a path at what it costs by the settings asked for.
+    fn take(&mut self, path: Report) -> Goes {
+        let Search { checker, start, .. } = self.search;
+        self.changes = self.changes.min(arcs::direction_changes(&path.arcs));
+        if !self.search.goals.is_empty() {
+            self.widest = self.widest.max(widest::clearance(checker, start, &path.arcs));
+        }
+        let cost = self.search.arrived(&path.arcs).costs().path(checker, start, &path.arcs);
+        (self.offer)(Report { cost, status: Status::Suboptimal, ..path })
     }
 }
 

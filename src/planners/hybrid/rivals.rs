@@ -3,7 +3,8 @@
 //! Prices other than the usual ones lead the search elsewhere: it may spend its budget near obstacles that are dear, or
 //! end with a path that costs more, by these very prices, than the one of a planner that knows nothing of them. Less
 //! margin leads the lattices elsewhere, too. So the answer to such settings is held against that of the usual prices
-//! and that of the usual margin. The usual answer itself has no rival: it is what most people wait for.
+//! and that of the usual margin. The usual answer itself has no rival: it is what most people wait for. A search for
+//! better paths holds every answer against more settings (`choices`).
 //!
 //! A rival has rivals of its own, so all settings choose among the same paths, and none loses to the others.
 
