@@ -63,7 +63,7 @@ impl Run<'_, '_> {
                 continue;
             }
             let (stats, margin) = (self.work.report.stats, path.margin.min(config.margin));
-            self.take(Report { stats, margin, ..path })?;
+            self.take(Report { margin, stats, ..path })?;
         }
         Goes::Continue(())
     }
