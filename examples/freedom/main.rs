@@ -64,7 +64,8 @@ fn main() {
         }
     }
     println!(
-        "| asked for | compared | over 1 % dearer, coarsest level | worst | other levels | worst | after a search | worst |"
+        "| asked for | compared | over 1 % dearer, coarsest level | worst | other levels | worst \
+         | after a search | worst |"
     );
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for (pair, tally) in pairs().zip(&tallies) {
