@@ -200,11 +200,16 @@ fn spread(ground: &Ground, from: Cell) -> Vec<u32> {
             }
             for (by, length) in around {
                 let index = (at as usize).wrapping_add(by);
-                let Some(&cost) = ground.costs.get(index) else { continue };
-                let reached = now + u32::from(cost) * length;
-                if cost > 0 && reached < steps[index] {
-                    steps[index] = reached;
-                    ring[reached as usize % RING].push(index as u32);
+                // Most neighbours are as near already as a step into an open cell would bring them.
+                let Some(known) = steps.get_mut(index).filter(|known| now + length < **known) else {
+                    continue;
+                };
+                let cost = u32::from(ground.costs[index]);
+                let reached = now + cost * length;
+                if cost > 0 && reached < *known {
+                    *known = reached;
+                    let ahead = slot + (cost * length) as usize;
+                    ring[if ahead < RING { ahead } else { ahead - RING }].push(index as u32);
                     waiting += 1;
                 }
             }

@@ -94,6 +94,8 @@ pub struct CollisionChecker<'a> {
     /// The corridor that arcs may not leave.
     corridor: Option<&'a Corridor>,
     checks: Counter<u32>,
+    /// The edge that was met last.
+    met: Counter<Option<Edge>>,
 }
 
 impl<'a> CollisionChecker<'a> {
@@ -118,6 +120,7 @@ impl<'a> CollisionChecker<'a> {
             slack,
             corridor: None,
             checks: Counter::new(0),
+            met: Counter::new(None),
         }
     }
 
@@ -140,6 +143,8 @@ impl<'a> CollisionChecker<'a> {
     pub fn hit(&self, pose: Pose, margin: f64) -> Option<u32> {
         self.count(1);
         let place = Placement::of(pose);
+        // Which of several obstacles is told may not depend on what was asked before.
+        self.met.set(None);
         if self.has_room(place, margin) { None } else { self.exact(place, margin - CONTACT) }
     }
 
@@ -209,11 +214,27 @@ impl<'a> CollisionChecker<'a> {
         self.has_room(at, margin) || self.exact(at, margin - CONTACT).is_none()
     }
 
-    /// The owner of an edge that the body with `margin` around it meets, by the edges themselves.
+    /// The owner of an edge that the body with `margin` around it meets, by the edges themselves: of the one that was
+    /// met last, if it is met again. It often is, as poses are asked about one beside another.
     pub(super) fn exact(&self, at: Placement, margin: f64) -> Option<u32> {
         let sides = self.sides(margin);
         let (low, high) = self.bounds(at, margin);
-        self.obstacles.find(low, high, |edge| segment_meets_box(at.local(edge.a), at.local(edge.b), sides))
+        let is_met = |edge: &Edge| segment_meets_box(at.local(edge.a), at.local(edge.b), sides);
+        // The small module does without.
+        if IS_COMPLETE
+            && let Some(edge) = self.met.get()
+            && edge.reaches(low, high)
+            && is_met(&edge)
+        {
+            return Some(edge.owner);
+        }
+        self.obstacles.find(low, high, |edge| {
+            let is_met = is_met(edge);
+            if is_met {
+                self.met.set(Some(*edge));
+            }
+            is_met
+        })
     }
 
     /// A lower bound on the distance from the body with `margin` around it to the nearest edge, metres; nothing where
@@ -247,7 +268,11 @@ impl<'a> CollisionChecker<'a> {
         let (low, high) = self.bounds(at, limit);
         let mut square = f64::INFINITY;
         self.edges_near((low, high), |edge| {
-            square = square.min(square_distance(at.local(edge.a), at.local(edge.b), sides));
+            let (a, b) = (at.local(edge.a), at.local(edge.b));
+            let beside = gap_beside(a, b, sides) - CONTACT;
+            if beside <= 0.0 || beside * beside < square {
+                square = square.min(square_distance(a, b, sides));
+            }
         });
         // Contact leaves rounding errors, which are no room.
         let best = square.sqrt().min(limit);
@@ -283,12 +308,12 @@ impl<'a> CollisionChecker<'a> {
 
 /// Separating axes of a segment and an upright box: the box's two, then the segment's normal.
 fn segment_meets_box(a: Point, b: Point, sides: [f64; 4]) -> bool {
-    gap_beside(a, b, sides) <= 0.0 && gap_from_line(a, b, sides) <= 0.0
+    gap_beside(a, b, sides) <= 0.0 && !is_beside_line(corners_beside(a, b, sides))
 }
 
 /// How far a segment is beside an upright box, along the box's axes; not above 0 where it is beside none of its sides.
 #[inline(always)]
-fn gap_beside(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f64 {
+pub(super) fn gap_beside(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f64 {
     let sorted = |a: f64, b: f64| if a < b { (a, b) } else { (b, a) };
     let larger = |a: f64, b: f64| if a < b { b } else { a };
     let ((near, far), (low, high)) = (sorted(a.x, b.x), sorted(a.y, b.y));
@@ -297,14 +322,26 @@ fn gap_beside(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f64 {
 
 /// How far an upright box is from the line through a segment; 0 where the line meets it.
 #[inline(always)]
-fn gap_from_line(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> f64 {
-    let (dx, dy) = (b.x - a.x, b.y - a.y);
-    let side = |x: f64, y: f64| dx * (y - a.y) - dy * (x - a.x);
-    let corners = [side(front, left), side(back, left), side(back, right), side(front, right)];
-    if !(corners.iter().all(|&s| s > 0.0) || corners.iter().all(|&s| s < 0.0)) {
+fn gap_from_line(a: Point, b: Point, sides: [f64; 4]) -> f64 {
+    let corners = corners_beside(a, b, sides);
+    if !is_beside_line(corners) {
         return 0.0;
     }
-    corners.iter().fold(f64::INFINITY, |least, s| least.min(s.abs())) / (dx * dx + dy * dy).sqrt()
+    corners.iter().fold(f64::INFINITY, |least, s| least.min(s.abs())) / (b - a).norm_squared().sqrt()
+}
+
+/// How far the corners of an upright box are to the left of the line through a segment, times the segment's length.
+#[inline(always)]
+fn corners_beside(a: Point, b: Point, [front, back, left, right]: [f64; 4]) -> [f64; 4] {
+    let (dx, dy) = (b.x - a.x, b.y - a.y);
+    let side = |x: f64, y: f64| dx * (y - a.y) - dy * (x - a.x);
+    [side(front, left), side(back, left), side(back, right), side(front, right)]
+}
+
+/// True if all corners lie on one side of a line.
+#[inline(always)]
+fn is_beside_line(corners: [f64; 4]) -> bool {
+    corners.iter().all(|&s| s > 0.0) || corners.iter().all(|&s| s < 0.0)
 }
 
 /// Distance of a segment from an upright box that it does not cross, squared.

@@ -1,7 +1,7 @@
 //! Where the body comes near obstacles, and in which direction it would move away from them.
 
 use super::CollisionChecker;
-use super::checker::Placement;
+use super::checker::{CONTACT, Placement, gap_beside};
 use crate::geometry::polygon::nearest_share;
 use crate::geometry::{Point, Pose, Vector};
 
@@ -22,7 +22,7 @@ impl CollisionChecker<'_> {
     pub(crate) fn contacts(&self, pose: Pose, limit: f64, found: &mut Vec<Contact>) {
         found.clear();
         let at = Placement::of(pose);
-        let [front, back, left, right] = self.sides(0.0);
+        let sides @ [front, back, left, right] = self.sides(0.0);
         let corners = [(front, left), (back, left), (back, right), (front, right)];
         let (low, high) = self.bounds(at, limit);
         let mut note = |body: Point, obstacle: Point| {
@@ -34,6 +34,9 @@ impl CollisionChecker<'_> {
         };
         self.edges_near((low, high), |edge| {
             let (a, b) = (at.local(edge.a), at.local(edge.b));
+            if gap_beside(a, b, sides) - CONTACT > limit {
+                return;
+            }
             for corner in corners.map(|(x, y)| Point::new(x, y)) {
                 note(corner, a + (b - a) * nearest_share(corner, a, b));
             }

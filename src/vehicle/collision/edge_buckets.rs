@@ -151,7 +151,7 @@ impl Edge {
         clippy::needless_bitwise_bool,
         reason = "nobody could foresee which way a branch for each side goes"
     )]
-    fn reaches(&self, low: Point, high: Point) -> bool {
+    pub(super) fn reaches(&self, low: Point, high: Point) -> bool {
         let [left, right] = if self.a.x < self.b.x { [self.a.x, self.b.x] } else { [self.b.x, self.a.x] };
         let [bottom, top] = if self.a.y < self.b.y { [self.a.y, self.b.y] } else { [self.b.y, self.a.y] };
         (right >= low.x) & (left <= high.x) & (top >= low.y) & (bottom <= high.y)

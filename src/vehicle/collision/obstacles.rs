@@ -4,7 +4,7 @@
 //! against the edges near it only. A distance field over coarser cells tells a lower bound of the room at any place in
 //! constant time. Coordinates are local: the origin is the boundary's lower left corner.
 
-use super::edge::{Edge, bounds, point_distance};
+use super::edge::{Edge, bounds, point_square};
 use super::edge_buckets::EdgeBuckets;
 use crate::geometry::polygon::contains;
 use crate::geometry::{Point, Pose, Vector, math};
@@ -136,13 +136,13 @@ impl Obstacles {
     /// Exact, by the edges themselves. A point inside a solid has a distance from its outline, too; see
     /// [`Obstacles::inside`].
     pub fn distance(&self, point: Point, limit: f64) -> f64 {
-        let mut best = limit;
-        let reach = crate::geometry::Vector::new(limit, limit);
+        let mut square = f64::INFINITY;
+        let reach = Vector::new(limit, limit);
         self.find(point - reach, point + reach, |edge| {
-            best = best.min(point_distance(point, edge.a, edge.b));
+            square = square.min(point_square(point, edge.a, edge.b));
             false
         });
-        best
+        square.sqrt().min(limit)
     }
 
     /// A world pose in the frame of all queries.

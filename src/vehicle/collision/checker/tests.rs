@@ -55,6 +55,29 @@ fn the_filters_never_change_the_answer() {
 }
 
 #[test]
+fn what_was_asked_before_changes_no_answer() {
+    let block = [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y));
+    let solids = [0.0, 1.5].map(|shift| Solid {
+        outline: block.iter().map(|p| p + Vector::new(shift, 0.0)).collect(),
+        owner: shift as u32,
+    });
+    let hall = hall(&solids);
+    let asked = CollisionChecker::new(&hall, &Vehicle::PAPER);
+    let mut others = 0;
+    for k in 0..4000_u32 {
+        let t = f64::from(k);
+        let pose = Pose::new(9.0 + (t * 0.618).fract() * 7.0, 6.0 + (t * 0.414).fract() * 6.0, t * 0.1);
+        let met = asked.exact(Placement::of(pose), 0.1 - CONTACT);
+        let fresh = CollisionChecker::new(&hall, &Vehicle::PAPER).hit(pose, 0.1);
+        assert_eq!(met.is_some(), fresh.is_some(), "{pose:?}");
+        others += u32::from(met != fresh);
+        assert_eq!(asked.hit(pose, 0.1), fresh, "{pose:?}");
+        asked.exact(Placement::of(somewhere(k)), 0.1 - CONTACT);
+    }
+    assert!(others > 20, "{others}");
+}
+
+#[test]
 fn discs_cover_the_grown_body_and_no_more_than_its_corners_need() {
     let hall = hall(&[]);
     for (vehicle, margin) in [(Vehicle::PAPER, 0.0), (Vehicle::PAPER, 0.3), (Vehicle::SEDAN, 0.1)] {
