@@ -220,7 +220,6 @@ impl<'a> CollisionChecker<'a> {
         let sides = self.sides(margin);
         let (low, high) = self.bounds(at, margin);
         let is_met = |edge: &Edge| segment_meets_box(at.local(edge.a), at.local(edge.b), sides);
-        // The small module does without.
         if IS_COMPLETE
             && let Some(edge) = self.met.get()
             && edge.reaches(low, high)
@@ -270,7 +269,7 @@ impl<'a> CollisionChecker<'a> {
         self.edges_near((low, high), |edge| {
             let (a, b) = (at.local(edge.a), at.local(edge.b));
             let beside = gap_beside(a, b, sides) - CONTACT;
-            if beside <= 0.0 || beside * beside < square {
+            if !IS_COMPLETE || beside <= 0.0 || beside * beside < square {
                 square = square.min(square_distance(a, b, sides));
             }
         });
