@@ -268,6 +268,7 @@ impl<'a> CollisionChecker<'a> {
         let mut square = f64::INFINITY;
         self.edges_near((low, high), |edge| {
             let (a, b) = (at.local(edge.a), at.local(edge.b));
+            // Less than the distance, whatever rounding adds.
             let beside = gap_beside(a, b, sides) - CONTACT;
             if !IS_COMPLETE || beside <= 0.0 || beside * beside < square {
                 square = square.min(square_distance(a, b, sides));

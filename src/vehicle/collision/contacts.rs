@@ -34,6 +34,7 @@ impl CollisionChecker<'_> {
         };
         self.edges_near((low, high), |edge| {
             let (a, b) = (at.local(edge.a), at.local(edge.b));
+            // Nothing of it is nearer, whatever rounding adds.
             if gap_beside(a, b, sides) - CONTACT > limit {
                 return;
             }

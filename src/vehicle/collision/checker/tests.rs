@@ -4,9 +4,14 @@ use super::super::Solid;
 use super::super::obstacles::tests::hall;
 use super::*;
 
-fn hall_with_block() -> Obstacles {
+/// A block, so many metres to the east of where it is otherwise.
+fn block(shift: f64, owner: u32) -> Solid {
     let corners = [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)];
-    hall(&[Solid { outline: corners.map(|(x, y)| Point::new(x, y)).to_vec(), owner: 1 }])
+    Solid { outline: corners.map(|(x, y)| Point::new(x + shift, y)).to_vec(), owner }
+}
+
+fn hall_with_block() -> Obstacles {
+    hall(&[block(0.0, 1)])
 }
 
 /// The k-th of poses all over the hall.
@@ -56,12 +61,7 @@ fn the_filters_never_change_the_answer() {
 
 #[test]
 fn what_was_asked_before_changes_no_answer() {
-    let block = [(12.0, 8.0), (13.0, 8.5), (12.6, 9.4), (11.8, 9.0)].map(|(x, y)| Point::new(x, y));
-    let solids = [0.0, 1.5].map(|shift| Solid {
-        outline: block.iter().map(|p| p + Vector::new(shift, 0.0)).collect(),
-        owner: shift as u32,
-    });
-    let hall = hall(&solids);
+    let hall = hall(&[block(0.0, 1), block(1.5, 2)]);
     let asked = CollisionChecker::new(&hall, &Vehicle::PAPER);
     let mut others = 0;
     for k in 0..4000_u32 {
